@@ -1,0 +1,1 @@
+# Shader compilation is described where the shaders are listed (src/refresh/vkpt).

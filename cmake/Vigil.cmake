@@ -1,0 +1,48 @@
+# Compiler settings and the two functions every folder uses: vigil_library and vigil_test.
+
+find_package(fmt REQUIRED)
+find_package(glm REQUIRED)
+find_package(Threads REQUIRED)
+
+add_library(vigil_options INTERFACE)
+target_compile_features(vigil_options INTERFACE cxx_std_20)
+target_compile_options(vigil_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-error=stringop-overflow -Wno-error=array-bounds -Wno-error=maybe-uninitialized>)
+# GLM's types only; its experimental extensions and implicit swizzles stay off.
+target_compile_definitions(vigil_options INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_SIZE_T_LENGTH)
+target_include_directories(vigil_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_include_directories(vigil_options INTERFACE ${CMAKE_SOURCE_DIR}/shaders)
+target_link_libraries(vigil_options INTERFACE fmt::fmt glm::glm Threads::Threads)
+
+if(VIGIL_SANITIZE)
+  target_compile_options(vigil_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+  target_link_options(vigil_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# vigil_library(NAME SOURCES ... DEPENDS ...): a static library with the project's settings.
+function(vigil_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC vigil_options ${ARG_DEPENDS})
+endfunction()
+
+# vigil_test(NAME SOURCES ... LIBS ... [GPU]): a GoogleTest binary, registered with ctest.
+# GPU tests get the label "gpu" and are not built in the sanitizer tree; the others get "unit".
+function(vigil_test name)
+  cmake_parse_arguments(ARG "GPU" "" "SOURCES;LIBS" ${ARGN})
+  if(ARG_GPU AND VIGIL_SANITIZE)
+    return()
+  endif()
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE vigil_options ${ARG_LIBS} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE VIGIL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
+  if(ARG_GPU)
+    set_tests_properties(${name} PROPERTIES LABELS gpu TIMEOUT 1200)
+  else()
+    set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300)
+  endif()
+endfunction()

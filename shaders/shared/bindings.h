@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Descriptor sets and bindings. Set 0 is the scene and the frame, the same for every pass; set 1
+// belongs to the light-sampling technique that is in use. Each buffer is declared once in GLSL, in the file
+// named beside its binding.
+#ifndef VIGIL_SHARED_BINDINGS_H
+#define VIGIL_SHARED_BINDINGS_H
+
+#define SET_SCENE 0
+#define SET_TECHNIQUE 1
+
+#define BINDING_FRAME 0          // uniform FrameParams: shared/frame_params.h, pathtrace/frame.glsl
+#define BINDING_BVH_NODES 1      // bottom-level nodes of all models: trace/trace_bvh.glsl
+#define BINDING_BVH_TRIANGLES 2  // BvhTriangle[]: trace/trace_bvh.glsl
+#define BINDING_TOP_NODES 3      // top-level nodes of this frame: trace/trace_bvh.glsl
+#define BINDING_INSTANCES 4      // Instance[]: pathtrace/scene.glsl
+#define BINDING_PRIMITIVES 5     // Primitive[]: pathtrace/scene.glsl
+#define BINDING_MATERIALS 6      // Material[]: pathtrace/scene.glsl
+#define BINDING_TEXTURES 7       // Texture[]: pathtrace/scene.glsl
+#define BINDING_TEXELS 8         // uint RGBA8[]: pathtrace/scene.glsl
+#define BINDING_LIGHTS 9         // Light[]: pathtrace/scene.glsl
+#define BINDING_BSP 10           // BspNode[]: pathtrace/cluster.glsl
+#define BINDING_LTC 11           // LTC tables: light/ltc.glsl
+#define BINDING_SURFACES 12      // primary hits: pathtrace/surface.glsl
+#define BINDING_RADIANCE 13      // this frame's radiance: pathtrace/frame.glsl
+#define BINDING_ACCUMULATION 14  // running mean: post
+#define BINDING_EXPOSURE 15      // automatic exposure: post
+#define BINDING_COUNTERS 16      // counters read back by the host: pathtrace/frame.glsl
+#define BINDING_ACCELERATION_STRUCTURE 17 // only with ray query: trace/trace_query.glsl
+#define SCENE_BINDING_COUNT 18
+
+#endif

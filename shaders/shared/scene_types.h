@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the scene is on the GPU: instances, triangles, materials, textures and lights, in scalar block
+// layout, so that the C++ and GLSL structures are the same bytes. No functions live here.
+#ifndef VIGIL_SHARED_SCENE_TYPES_H
+#define VIGIL_SHARED_SCENE_TYPES_H
+
+#include "glsl.h"
+
+SHADER_BEGIN
+
+/// "No such thing" for light, texture and cluster indices.
+SHADER_CONST uint NONE = 0xffffffffu;
+
+/// One placed model. Instance 0 is the static world with identity transforms; the others are brush
+/// models, MD2 and mesh entities of this frame. Matrices are 4 columns of vec3 (rotation | origin).
+struct Instance {
+    mat4x3 world_from_object;
+    mat4x3 object_from_world;
+    mat4x3 previous_world_from_object;
+    uint bvh_root;    // node index of the root of its bottom-level BVH
+    uint first_light; // light id of the model's light 0; a primitive's light index is added to it
+    uint flags;       // INSTANCE_*
+    uint entity;      // stable entity number, for views and debugging
+};
+
+/// What the BVH intersects: vertex and edges in object space. Stored in leaf order; the same index
+/// addresses `Primitive`.
+struct BvhTriangle {
+    vec3 v0;
+    uint flags; // TRIANGLE_*
+    vec3 e1;    // v1 - v0
+    vec3 e2;    // v2 - v0
+};
+
+/// Bits 0..7: coverage / 255: the chance that a ray stops here. 255 is opaque (both sides stop rays);
+/// below 255 the triangle is translucent, and only its front side exists.
+SHADER_CONST uint TRIANGLE_COVERAGE_MASK = 0xffu;
+
+/// What shading needs to know about a triangle; same order as BvhTriangle.
+struct Primitive {
+    vec2 uv0; // texture coordinates in repeats (1 = one texture width)
+    vec2 uv1;
+    vec2 uv2;
+    uint material;
+    uint light;   // index among its model's lights, or NONE
+    uint cluster; // PVS cluster, or NONE when the triangle touches several (then locate the point)
+};
+
+SHADER_CONST uint MATERIAL_SKY = 1u;      // shows the sky; ends every path
+SHADER_CONST uint MATERIAL_EMISSIVE = 2u; // its triangles are lights
+SHADER_CONST uint MATERIAL_WARP = 4u;     // liquid: texture coordinates move
+SHADER_CONST uint MATERIAL_FLOWING = 8u;  // texture scrolls
+SHADER_CONST uint MATERIAL_GLOSSY = 16u;  // has a GGX lobe at the primary hit
+
+struct Material {
+    uint texture;      // index of the texture header
+    uint flags;        // MATERIAL_*
+    float roughness;   // GGX alpha = roughness^2, in [0.1, 1]
+    float specular;    // reflectance at normal incidence, in [0, 1]
+    vec3 radiance;     // emitted radiance, averaged over the texture (0 if not emissive)
+    vec3 texel_to_radiance; // linear texel times this is the textured look of the same mean
+    uint frame_count;  // animation: number of textures, `texture` .. `texture + frame_count - 1`
+};
+
+/// Texels are RGBA8 sRGB, rows from the top, mip levels one after another in `texels`.
+struct Texture {
+    uint first_texel;
+    uint width;
+    uint height;
+    uint mip_count;
+};
+
+/// A triangle that emits `radiance` (uniform, Lambertian) from its front side, in world space this frame.
+/// Its index is its id and stays the same while the light exists; free ids have zero radiance.
+struct Light {
+    vec3 v0;
+    vec3 e1; // v1 - v0
+    vec3 e2; // v2 - v0; cross(e1, e2) points to the lit side
+    vec3 radiance;
+};
+
+SHADER_END
+#endif
