@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Questions about one face or one point of a checked level: polygon, plane, texture coordinates,
+// leaf, animation. It does no collision and no visibility (world/).
+#pragma once
+
+#include "formats/bsp.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vigil {
+
+/// Corners of a face in map units, counter-clockwise seen from the side it faces (its normal by the
+/// right-hand rule is face_normal). For brush models: relative to the model's entity origin.
+std::vector<glm::vec3> face_polygon(const Bsp& bsp, const BspFace& face);
+
+/// The unit normal on the visible side of the face.
+glm::vec3 face_normal(const Bsp& bsp, const BspFace& face);
+
+/// Texture coordinates in texels (s right, t down); divide by the texture's size for 0..1.
+glm::vec2 texel_coordinates(const BspTexInfo& info, const glm::vec3& point);
+
+/// Index of the leaf that contains a point, in the tree that starts at `headnode` (by default the
+/// world's). Points on a plane belong to its front.
+uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point);
+uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode);
+
+/// Cluster of the world's leaf at a point, -1 in solid space and outside.
+int32_t cluster_at(const Bsp& bsp, const glm::vec3& point);
+
+/// Appends the world's leafs that touch the box (bounds included), each once.
+void leafs_in_box(const Bsp& bsp, const glm::vec3& mins, const glm::vec3& maxs,
+                  std::vector<uint32_t>& leafs);
+
+/// Texinfos of the animation that starts at `texinfo`: itself first, then along `next` until the
+/// chain ends or closes. A length of 1 means no animation. Quake II shows two frames per second.
+std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo);
+
+} // namespace vigil
