@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The renderer's interface: what a frame is (view, entities, dynamic lights, light styles) and what comes
+// back (a picture, linear radiance, times per pass). The client fills a Frame; refresh/vkpt draws it.
+// Nothing here knows Vulkan beyond the opaque handles a window needs to make a surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct ImDrawData;
+struct VkInstance_T;
+struct VkSurfaceKHR_T;
+
+namespace vigil {
+class FileSystem;
+struct Level;
+} // namespace vigil
+
+namespace vigil::refresh {
+
+/// The camera. Angles in degrees: pitch (down positive), yaw (counter-clockwise from +x), roll.
+/// `fov` is Quake's: horizontal degrees on a 4:3 screen; wider screens see more (vertical angle kept).
+struct View {
+    glm::vec3 origin{0.0f};
+    glm::vec3 angles{0.0f};
+    float fov = 90.0f;
+};
+
+/// Index of a registered model; -1 draws nothing.
+using ModelHandle = int;
+
+/// One placed model. `number` is unique in a frame and stable while the entity exists.
+struct Entity {
+    int number = 0;
+    ModelHandle model = -1;
+    glm::vec3 origin{0.0f};
+    glm::vec3 angles{0.0f};
+    int skin = 0;
+    int frame = 0; // MD2 key frames: shown is mix(frame, old_frame, backlerp)
+    int old_frame = 0;
+    float backlerp = 0.0f;
+};
+
+/// A small glowing octahedron of `radius` units around `origin` that emits `radiance` (linear RGB).
+/// `id` stays the same while the light exists.
+struct DynamicLight {
+    uint32_t id = 0;
+    glm::vec3 origin{0.0f};
+    float radius = 2.0f;
+    glm::vec3 radiance{0.0f};
+};
+
+/// Light styles are multipliers of emitted radiance; Quake II has 256.
+inline constexpr int light_style_count = 256;
+
+struct Frame {
+    View view;
+    double time_s = 0.0; // drives warping, scrolling and animated textures
+    std::span<const Entity> entities;
+    std::span<const DynamicLight> dynamic_lights;
+    std::array<float, light_style_count> light_styles{};
+    ImDrawData* overlay = nullptr; // console and menus, drawn over the picture; may be null
+};
+
+/// A picture in 8-bit sRGB, RGBA, rows from the top.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<uint8_t> rgba;
+};
+
+/// Linear radiance (RGB floats, rows from the top).
+struct RadiancePicture {
+    int width = 0;
+    int height = 0;
+    int frames = 0; // frames averaged
+    std::vector<float> rgb;
+};
+
+struct PassTime {
+    std::string name;
+    double milliseconds = 0.0;
+};
+
+/// What a window offers the renderer. Implemented by platform/sdl2 and platform/glfw.
+class SurfaceProvider {
+public:
+    virtual ~SurfaceProvider() = default;
+    /// Vulkan instance extensions that create_surface needs.
+    virtual std::vector<std::string> instance_extensions() const = 0;
+    /// Makes a VkSurfaceKHR; throws Error. The renderer destroys it.
+    virtual VkSurfaceKHR_T* create_surface(VkInstance_T* instance) = 0;
+    /// Size in pixels now; (0, 0) while minimised.
+    virtual glm::ivec2 framebuffer_size() const = 0;
+};
+
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+
+    /// Uploads a level: geometry, materials, lights. Forgets all models of the level before. Throws Error and then
+    /// keeps the level before.
+    virtual void load_level(std::shared_ptr<const Level> level) = 0;
+
+    /// Handle of "*3" (brush model), "models/x.md2" or "models/x.glb"; loads it on first use.
+    /// Throws Error naming the file and the fault.
+    virtual ModelHandle register_model(std::string_view name) = 0;
+
+    /// Renders one frame and, with a window, presents it. Settings come from the cvars. Does nothing visible
+    /// before a level is loaded (the overlay still shows).
+    virtual void render(const Frame& frame) = 0;
+
+    /// The last frame after tone mapping, with or without its overlay.
+    virtual Picture read_picture(bool with_overlay) = 0;
+    /// The last frame's radiance; averaged over frames while pt_accumulate is on.
+    virtual RadiancePicture read_radiance() = 0;
+
+    /// GPU time of each pass of the last finished frame, in frame order.
+    virtual std::vector<PassTime> pass_times() = 0;
+
+    /// Text of `scene`: what the level switched on, and why.
+    virtual std::string describe_scene() const = 0;
+    /// Text of one line: device and driver.
+    virtual std::string describe_device() const = 0;
+    /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures); docs/export.md has units.
+    virtual void export_scene(const Frame& frame, const std::string& path) = 0;
+};
+
+/// Makes the Vulkan path tracer. `surface` may be null (headless: pictures of vid_width x vid_height). Throws Error that
+/// says which package to install when there is no Vulkan driver.
+std::unique_ptr<Renderer> make_vkpt_renderer(FileSystem& files, SurfaceProvider* surface);
+
+} // namespace vigil::refresh

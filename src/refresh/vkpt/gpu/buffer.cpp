@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/gpu/buffer.h"
+
+#include "common/error.h"
+
+#include <algorithm>
+
+namespace vigil::gpu {
+
+Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* name,
+               VkBufferUsageFlags extra_usage)
+    : bytes_(std::max<uint64_t>(bytes, 16)) {
+    if (use == MemoryUse::Device && bytes_ > device.features().max_storage_buffer_bytes)
+        fail("{} needs {:.1f} MiB, but this device's buffers end at {:.1f} MiB", name,
+             static_cast<double>(bytes_) / 1048576.0,
+             static_cast<double>(device.features().max_storage_buffer_bytes) / 1048576.0);
+    VkBufferCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    info.size = bytes_;
+    info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | extra_usage;
+    if (use == MemoryUse::Device) info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "vkCreateBuffer");
+    buffer_ = {device.handle(), buffer, vkDestroyBuffer};
+    device.set_name(VK_OBJECT_TYPE_BUFFER, buffer, name);
+
+    VkMemoryRequirements needs;
+    vkGetBufferMemoryRequirements(device.handle(), buffer, &needs);
+    VkMemoryPropertyFlags wanted =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    VkMemoryPropertyFlags preferred = 0;
+    if (use == MemoryUse::Device) wanted = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    if (use == MemoryUse::Readback) preferred = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    VkMemoryAllocateFlagsInfo flags{};
+    flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+    flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+    VkMemoryAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    if (extra_usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) allocate.pNext = &flags;
+    allocate.allocationSize = needs.size;
+    allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, wanted, preferred);
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    const VkResult result = vkAllocateMemory(device.handle(), &allocate, nullptr, &memory);
+    if (result != VK_SUCCESS)
+        fail("out of device memory: {} needs {:.1f} MiB", name,
+             static_cast<double>(bytes_) / 1048576.0);
+    memory_ = {device.handle(), memory, vkFreeMemory};
+    check(vkBindBufferMemory(device.handle(), buffer, memory, 0), "vkBindBufferMemory");
+    if (use != MemoryUse::Device) {
+        void* pointer = nullptr;
+        check(vkMapMemory(device.handle(), memory, 0, VK_WHOLE_SIZE, 0, &pointer), "vkMapMemory");
+        mapped_ = static_cast<std::byte*>(pointer);
+    }
+}
+
+} // namespace vigil::gpu

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Buffers: a VkBuffer with its own memory, and a growing variant for data whose size follows the
+// level or the frame.
+#pragma once
+
+#include "refresh/vkpt/gpu/device.h"
+
+#include <cstddef>
+#include <span>
+
+namespace vigil::gpu {
+
+enum class MemoryUse {
+    Device,   // fast for the GPU; filled by copies
+    Upload,   // written by the host, read once by the GPU
+    Readback, // written by the GPU, read by the host
+};
+
+class Buffer {
+public:
+    Buffer() = default;
+    /// `bytes` is raised to at least 16, so that an empty list is still a valid binding. Throws
+    /// Error when memory is out or the size exceeds the device's largest storage buffer; `name`
+    /// appears in the message.
+    Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* name,
+           VkBufferUsageFlags extra_usage = 0);
+
+    VkBuffer handle() const { return buffer_.get(); }
+    uint64_t bytes() const { return bytes_; }
+    explicit operator bool() const { return static_cast<bool>(buffer_); }
+
+    /// Host pointer; null for MemoryUse::Device.
+    std::byte* mapped() const { return mapped_; }
+    template <typename T> std::span<T> mapped_as() const {
+        return {reinterpret_cast<T*>(mapped_), static_cast<size_t>(bytes_ / sizeof(T))};
+    }
+
+private:
+    Handle<VkDeviceMemory> memory_; // freed after buffer_ (declared before it)
+    Handle<VkBuffer> buffer_;
+    uint64_t bytes_ = 0;
+    std::byte* mapped_ = nullptr;
+};
+
+/// Views any contiguous range of trivially copyable values as bytes.
+template <typename Range> std::span<const std::byte> bytes_of(const Range& range) {
+    return std::as_bytes(std::span(range));
+}
+template <typename T> std::span<const std::byte> bytes_of_value(const T& value) {
+    return std::as_bytes(std::span(&value, 1));
+}
+
+} // namespace vigil::gpu

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Instance and logical device: picks a physical device (discrete, integrated, virtual, CPU; or by
+// name), checks the features Vigil needs, counts validation messages and names objects for
+// debuggers. One queue does everything: graphics, compute, transfer and presentation.
+#pragma once
+
+#include "refresh/vkpt/gpu/handle.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vigil::refresh {
+class SurfaceProvider;
+}
+
+namespace vigil::gpu {
+
+/// Throws Error naming the call and the result unless `result` is VK_SUCCESS. A lost device and
+/// exhausted memory say what a person can do.
+void check(VkResult result, const char* call);
+
+struct DeviceOptions {
+    std::string name;         // part of the device's name, or its index; empty: the best one
+    int validation = 0;       // 0 off, 1 core, 2 core and synchronisation
+    bool debug_names = false; // object names and labels for debuggers (always on with validation)
+    bool allow_ray_query = true;
+};
+
+/// What the device offers beyond the required minimum.
+struct DeviceFeatures {
+    bool ray_query = false;
+    bool is_cpu = false;
+    uint32_t subgroup_size = 0;
+    uint32_t shared_memory_bytes = 0;
+    uint64_t max_storage_buffer_bytes = 0;
+    float timestamp_period_ns = 0.0f; // 0: no timestamps on this queue
+    uint32_t timestamp_bits = 0;
+};
+
+class Device {
+public:
+    /// Creates instance, surface (if a provider is given) and device. Throws Error; a missing
+    /// driver names the package.
+    Device(const DeviceOptions& options, refresh::SurfaceProvider* surface);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkInstance instance() const { return instance_; }
+    VkPhysicalDevice physical() const { return physical_; }
+    VkDevice handle() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    uint32_t queue_family() const { return queue_family_; }
+    VkSurfaceKHR surface() const { return surface_.get(); }
+    const DeviceFeatures& features() const { return features_; }
+    const VkPhysicalDeviceProperties& properties() const { return properties_; }
+
+    /// "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6, Vulkan 1.3.230".
+    std::string description() const;
+
+    /// Validation messages (warnings and errors) so far; 0 when validation is off.
+    int validation_messages() const { return validation_messages_.load(); }
+
+    /// Memory type index for `type_bits` with all of `wanted` and, if possible, `preferred`. Throws
+    /// Error.
+    uint32_t memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted,
+                         VkMemoryPropertyFlags preferred = 0) const;
+
+    void wait_idle() const;
+
+    template <typename T> void set_name(VkObjectType type, T handle, std::string_view name) const {
+        set_name_raw(type, reinterpret_cast<uint64_t>(handle), name);
+    }
+    void begin_label(VkCommandBuffer commands, const char* name) const;
+    void end_label(VkCommandBuffer commands) const;
+
+private:
+    void create_instance(const DeviceOptions& options, refresh::SurfaceProvider* surface);
+    void pick_physical_device(const DeviceOptions& options);
+    void create_device(const DeviceOptions& options);
+    void set_name_raw(VkObjectType type, uint64_t handle, std::string_view name) const;
+    static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(
+        VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT type,
+        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    InstanceHandle<VkDebugUtilsMessengerEXT> messenger_;
+    InstanceHandle<VkSurfaceKHR> surface_;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    uint32_t queue_family_ = 0;
+    VkPhysicalDeviceProperties properties_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    std::string driver_info_;
+    DeviceFeatures features_;
+    std::atomic<int> validation_messages_{0};
+    bool debug_utils_ = false;
+    PFN_vkSetDebugUtilsObjectNameEXT set_object_name_ = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+};
+
+} // namespace vigil::gpu

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/gpu/pipeline.h"
+
+#include "common/error.h"
+#include "common/log.h"
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace vigil::gpu {
+
+namespace {
+
+std::vector<char> read_file(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Drivers must reject foreign data themselves; checking the header first keeps broken files away
+/// from them.
+bool belongs_to(const std::vector<char>& data, const VkPhysicalDeviceProperties& device) {
+    VkPipelineCacheHeaderVersionOne header;
+    if (data.size() < sizeof(header)) return false;
+    std::memcpy(&header, data.data(), sizeof(header));
+    return header.headerSize >= sizeof(header) &&
+           header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+           header.vendorID == device.vendorID && header.deviceID == device.deviceID &&
+           std::memcmp(header.pipelineCacheUUID, device.pipelineCacheUUID, VK_UUID_SIZE) == 0;
+}
+
+} // namespace
+
+PipelineCache::PipelineCache(const Device& device, std::filesystem::path file)
+    : device_(&device), file_(std::move(file)) {
+    std::vector<char> data = read_file(file_);
+    if (!data.empty() && !belongs_to(data, device.properties())) {
+        log_info("pipeline cache {}: from another device or damaged, starting a new one",
+                 file_.string());
+        data.clear();
+    }
+    loaded_bytes_ = data.size();
+    VkPipelineCacheCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+    info.initialDataSize = data.size();
+    info.pInitialData = data.data();
+    VkPipelineCache cache = VK_NULL_HANDLE;
+    check(vkCreatePipelineCache(device.handle(), &info, nullptr, &cache), "vkCreatePipelineCache");
+    cache_ = {device.handle(), cache, vkDestroyPipelineCache};
+}
+
+PipelineCache::~PipelineCache() {
+    size_t bytes = 0;
+    if (vkGetPipelineCacheData(device_->handle(), cache_.get(), &bytes, nullptr) != VK_SUCCESS)
+        return;
+    if (bytes == loaded_bytes_ || file_.empty()) return;
+    std::vector<char> data(bytes);
+    if (vkGetPipelineCacheData(device_->handle(), cache_.get(), &bytes, data.data()) != VK_SUCCESS)
+        return;
+    // Write beside the old file and swap, so that an interrupted write leaves the old one.
+    std::error_code error;
+    std::filesystem::create_directories(file_.parent_path(), error);
+    std::filesystem::path temporary = file_;
+    temporary += ".new";
+    {
+        std::ofstream stream(temporary, std::ios::binary);
+        stream.write(data.data(), static_cast<std::streamsize>(bytes));
+        if (!stream) error = std::make_error_code(std::errc::io_error);
+    }
+    if (!error) std::filesystem::rename(temporary, file_, error);
+    if (error) {
+        log_warning("pipeline cache {}: not saved ({})", file_.string(), error.message());
+        std::filesystem::remove(temporary, error);
+    }
+}
+
+DescriptorSet::DescriptorSet(const Device& device, std::span<const VkDescriptorType> types,
+                             const Buffer& unused, const char* name)
+    : device_(&device), types_(types.begin(), types.end()) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (uint32_t i = 0; i < types_.size(); ++i) {
+        VkDescriptorSetLayoutBinding binding{};
+        binding.binding = i;
+        binding.descriptorType = types_[i];
+        binding.descriptorCount = 1;
+        binding.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+        bindings.push_back(binding);
+        sizes.push_back({types_[i], 1});
+    }
+    VkDescriptorSetLayoutCreateInfo layout_info{};
+    layout_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    layout_info.bindingCount = static_cast<uint32_t>(bindings.size());
+    layout_info.pBindings = bindings.data();
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    check(vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout),
+          "vkCreateDescriptorSetLayout");
+    layout_ = {device.handle(), layout, vkDestroyDescriptorSetLayout};
+
+    VkDescriptorPoolCreateInfo pool_info{};
+    pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    pool_info.maxSets = 1;
+    pool_info.poolSizeCount = static_cast<uint32_t>(sizes.size());
+    pool_info.pPoolSizes = sizes.data();
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    check(vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool),
+          "vkCreateDescriptorPool");
+    pool_ = {device.handle(), pool, vkDestroyDescriptorPool};
+
+    VkDescriptorSetAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    allocate.descriptorPool = pool;
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &layout;
+    check(vkAllocateDescriptorSets(device.handle(), &allocate, &set_), "vkAllocateDescriptorSets");
+    device.set_name(VK_OBJECT_TYPE_DESCRIPTOR_SET, set_, name);
+    for (uint32_t i = 0; i < types_.size(); ++i) {
+        if (types_[i] == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) bind(i, unused);
+    }
+}
+
+void DescriptorSet::bind(uint32_t binding, const Buffer& buffer) {
+    const VkDescriptorBufferInfo info{buffer.handle(), 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set_;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = types_[binding];
+    write.pBufferInfo = &info;
+    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+}
+
+void DescriptorSet::bind(uint32_t binding, VkAccelerationStructureKHR structure) {
+    VkWriteDescriptorSetAccelerationStructureKHR info{};
+    info.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR;
+    info.accelerationStructureCount = 1;
+    info.pAccelerationStructures = &structure;
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.pNext = &info;
+    write.dstSet = set_;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = types_[binding];
+    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+}
+
+Handle<VkPipelineLayout> make_pipeline_layout(const Device& device,
+                                              std::span<const VkDescriptorSetLayout> sets) {
+    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, 128};
+    VkPipelineLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    info.setLayoutCount = static_cast<uint32_t>(sets.size());
+    info.pSetLayouts = sets.data();
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &push;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout),
+          "vkCreatePipelineLayout");
+    return {device.handle(), layout, vkDestroyPipelineLayout};
+}
+
+ComputePipeline::ComputePipeline(const Device& device, VkPipelineLayout layout,
+                                 const PipelineCache* cache, std::span<const uint32_t> spirv,
+                                 std::span<const Specialization> constants, const char* name) {
+    VkShaderModuleCreateInfo module_info{};
+    module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    module_info.codeSize = spirv.size_bytes();
+    module_info.pCode = spirv.data();
+    VkShaderModule shader = VK_NULL_HANDLE;
+    check(vkCreateShaderModule(device.handle(), &module_info, nullptr, &shader),
+          "vkCreateShaderModule");
+    const Handle<VkShaderModule> owned{device.handle(), shader, vkDestroyShaderModule};
+
+    std::vector<VkSpecializationMapEntry> entries;
+    std::vector<uint32_t> values;
+    for (const Specialization& constant : constants) {
+        entries.push_back({constant.id, static_cast<uint32_t>(values.size() * sizeof(uint32_t)),
+                           sizeof(uint32_t)});
+        values.push_back(constant.value);
+    }
+    VkSpecializationInfo specialization{};
+    specialization.mapEntryCount = static_cast<uint32_t>(entries.size());
+    specialization.pMapEntries = entries.data();
+    specialization.dataSize = values.size() * sizeof(uint32_t);
+    specialization.pData = values.data();
+
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = shader;
+    info.stage.pName = "main";
+    info.stage.pSpecializationInfo = &specialization;
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    const VkResult result = vkCreateComputePipelines(
+        device.handle(), cache ? cache->handle() : VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+    if (result != VK_SUCCESS)
+        fail("pass {}: vkCreateComputePipelines failed ({})", name, static_cast<int>(result));
+    pipeline_ = {device.handle(), pipeline, vkDestroyPipeline};
+    device.set_name(VK_OBJECT_TYPE_PIPELINE, pipeline, name);
+}
+
+} // namespace vigil::gpu
