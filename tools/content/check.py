@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Checks of compiled levels: counts, lamps per PVS, and the clearance of camera routes."""
+
+import numpy as np
+
+from bsp import Bsp, clearance
+
+# A route keeps this distance from every wall, in map units.
+ROUTE_CLEARANCE = 24.0
+
+
+def summary(path):
+    """One line of counts for a compiled level."""
+    level = Bsp(path)
+    lamps = level.lights_by_cluster()
+    inner = lamps if len(lamps) else np.zeros(1, int)
+    return ("%-13s %5d faces %5d planes %4d clusters %4d lamps, in a PVS max %d median %d, "
+            "%d models, %d kB" % (path.stem, len(level.faces), len(level.planes),
+                                  level.clusters(), len(level.emissive()), inner.max(),
+                                  int(np.median(inner)), len(level.models), level.size // 1024))
+
+
+def route(path, camera):
+    """Raises ValueError where a route comes too close to a wall."""
+    planes, starts = Bsp(path).blocking_planes()
+    rows = camera.lines()
+    near = clearance(planes, starts, rows[:, 1:4])
+    worst = int(np.argmin(near))
+    if near[worst] < ROUTE_CLEARANCE:
+        raise ValueError("%s: the route is %.1f units from a wall at %.2f s (%s)" % (
+            path.stem, near[worst], rows[worst, 0], rows[worst, 1:4].round(1)))
+    print("%-13s route %.0f s, %d views, at least %.1f units from walls" % (
+        path.stem, rows[-1, 0], len(rows), near[worst]))
