@@ -17,7 +17,8 @@ public:
 };
 
 /// Throws Error with a message made by fmt::format.
-template <typename... Args> [[noreturn]] void fail(fmt::format_string<Args...> text, Args&&... args) {
+template <typename... Args>
+[[noreturn]] void fail(fmt::format_string<Args...> text, Args&&... args) {
     throw Error(fmt::format(text, std::forward<Args>(args)...));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The log: lines with a severity, sent to every registered sink (terminal, console, file). It holds no
-// history of its own; the console keeps the scroll-back.
+// The log: lines with a severity, sent to every registered sink (terminal, console, file). It holds
+// no history of its own; the console keeps the scroll-back.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The list of light sampling techniques that `pt_nee` can choose between. C++ makes the choices of
+// the variable from it and CMake compiles one path tracer per row (it reads this file line by line,
+// so a row stays on one line); the techniques themselves are in shaders/light.
+#ifndef VIGIL_SHARED_TECHNIQUES_H
+#define VIGIL_SHARED_TECHNIQUES_H
+
+// clang-format off
+#define VIGIL_TECHNIQUE_TABLE(ROW) \
+    ROW(sll, "Static Light Lists of Quake II RTX: the lights of the hit's cluster, weighted") \
+    ROW(uniform, "every light of the level with equal probability; a baseline") \
+    ROW(power, "every light of the level in proportion to its emitted power; a baseline") \
+    ROW(brute, "no light sampling: emitters are found by BRDF rays; the reference for tests")
+// clang-format on
+
+#ifdef __cplusplus
+
+#include <string_view>
+
+namespace vigil {
+
+/// One value per row, in order: what `pt_nee` holds.
+enum class Technique {
+#define VIGIL_TECHNIQUE_ENUMERATOR(name, help) name,
+    VIGIL_TECHNIQUE_TABLE(VIGIL_TECHNIQUE_ENUMERATOR)
+#undef VIGIL_TECHNIQUE_ENUMERATOR
+};
+
+/// The names with bars between them: "sll|uniform|...".
+inline constexpr std::string_view technique_choices =
+    std::string_view(
+#define VIGIL_TECHNIQUE_CHOICE(name, help) "|" #name
+        VIGIL_TECHNIQUE_TABLE(VIGIL_TECHNIQUE_CHOICE)
+#undef VIGIL_TECHNIQUE_CHOICE
+            )
+        .substr(1);
+
+struct TechniqueInfo {
+    std::string_view name;
+    std::string_view help;
+};
+
+inline constexpr TechniqueInfo technique_infos[] = {
+#define VIGIL_TECHNIQUE_INFO(name, help) {#name, help},
+    VIGIL_TECHNIQUE_TABLE(VIGIL_TECHNIQUE_INFO)
+#undef VIGIL_TECHNIQUE_INFO
+};
+
+} // namespace vigil
+
+#endif
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The commands about variables, commands and scripts themselves.
+#include "common/builtin_commands.h"
+
+#include "common/ascii_case.h"
+#include "common/error.h"
+#include "common/log.h"
+
+#include <charconv>
+#include <utility>
+
+namespace vigil {
+
+namespace {
+
+void expect_arguments(CommandArguments arguments, std::size_t low, std::size_t high,
+                      std::string_view usage) {
+    if (arguments.size() < low || arguments.size() > high) fail("usage: {}", usage);
+}
+
+std::string_view optional_word(CommandArguments arguments) {
+    return arguments.empty() ? std::string_view() : std::string_view(arguments[0]);
+}
+
+const CvarInfo& known_cvar(std::string_view name) {
+    const CvarInfo* info = find_cvar(ascii_lower(name));
+    if (!info) fail("{}: unknown variable", name);
+    return *info;
+}
+
+std::string join(CommandArguments words) {
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+std::vector<std::string> variable_names(CommandArguments finished) {
+    std::vector<std::string> names;
+    if (finished.empty())
+        for (const CvarInfo& info : cvar_infos)
+            names.emplace_back(info.name);
+    return names;
+}
+
+// For `set`: names first, then the choices of the named variable.
+std::vector<std::string> names_then_choices(CommandArguments finished) {
+    if (finished.empty()) return variable_names(finished);
+    std::vector<std::string> values;
+    const CvarInfo* info = find_cvar(ascii_lower(finished[0]));
+    if (finished.size() == 1 && info && info->type == CvarType::Choice)
+        for (int i = 0; i < choice_count(info->choices); ++i)
+            values.emplace_back(choice_name(info->choices, i));
+    return values;
+}
+
+// `toggle NAME` flips a number between 0 and 1 and moves a choice on; `toggle NAME A B ...` goes
+// from the value that matches to the one after it, and to A from any other value.
+std::string next_value(const CvarInfo& info, const CvarRegistry& variables,
+                       CommandArguments values) {
+    const std::string now = variables.get_text(info.name);
+    if (!values.empty()) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (equal_nocase(values[i], now)) return values[(i + 1) % values.size()];
+        return values[0];
+    }
+    switch (info.type) {
+    case CvarType::String:
+        fail("{} is text: name the values to go through", info.name);
+    case CvarType::Choice: {
+        const int index = choice_index(info.choices, now) + 1;
+        return fmt::to_string(index % choice_count(info.choices));
+    }
+    case CvarType::Integer:
+    case CvarType::Real:
+        break;
+    }
+    if (info.minimum > 0 || info.maximum < 1)
+        fail("{} cannot be 0 and 1: name the values to go through", info.name);
+    return now == "0" ? "1" : "0";
+}
+
+void add_variable_commands(CommandRegistry& commands) {
+    CvarRegistry& variables = commands.variables();
+
+    commands.add(
+        "set", "NAME VALUE: sets a variable",
+        [&](CommandArguments arguments) {
+            expect_arguments(arguments, 2, 2, "set NAME VALUE");
+            commands.set_variable(known_cvar(arguments[0]).name, arguments[1]);
+        },
+        names_then_choices);
+    commands.add(
+        "seta", "NAME VALUE: sets a variable; for configuration files of other engines",
+        [&](CommandArguments arguments) {
+            expect_arguments(arguments, 2, 2, "seta NAME VALUE");
+            const CvarInfo& info = known_cvar(arguments[0]);
+            commands.set_variable(info.name, arguments[1]);
+            if (info.life == CvarLife::Session)
+                log_info("{} is not kept: it lasts until the program ends", info.name);
+        },
+        names_then_choices);
+    commands.add(
+        "reset", "NAME: sets a variable to its default",
+        [&](CommandArguments arguments) {
+            expect_arguments(arguments, 1, 1, "reset NAME");
+            variables.reset(known_cvar(arguments[0]).name);
+        },
+        variable_names);
+    commands.add(
+        "toggle", "NAME [VALUES]: 0 to 1 and back, the next choice, or the next of VALUES",
+        [&](CommandArguments arguments) {
+            expect_arguments(arguments, 1, SIZE_MAX, "toggle NAME [VALUES]");
+            const CvarInfo& info = known_cvar(arguments[0]);
+            commands.set_variable(info.name, next_value(info, variables, arguments.subspan(1)));
+            log_info("{} \"{}\"", info.name, variables.get_text(info.name));
+        },
+        variable_names);
+    commands.add(
+        "cvarlist", "[PREFIX]: all variables; * marks those that differ from their default",
+        [&](CommandArguments arguments) {
+            expect_arguments(arguments, 0, 1, "cvarlist [PREFIX]");
+            const auto rows = list_cvars(optional_word(arguments));
+            for (const CvarInfo* info : rows) {
+                const std::string value = variables.get_text(info->name);
+                const char mark = value == cvar_default_text(*info) ? ' ' : '*';
+                const std::string quoted = '"' + value + '"';
+                log_info("{} {:<20} {:<12} {}", mark, info->name, quoted, info->help);
+            }
+            log_info("{} variables", rows.size());
+        },
+        variable_names);
+}
+
+void add_help_commands(CommandRegistry& commands) {
+    CvarRegistry& variables = commands.variables();
+
+    commands.add("cmdlist", "[PREFIX]: all commands", [&](CommandArguments arguments) {
+        expect_arguments(arguments, 0, 1, "cmdlist [PREFIX]");
+        int count = 0;
+        for (const auto& [name, command] : commands.commands()) {
+            if (!starts_nocase(name, optional_word(arguments))) continue;
+            log_info("  {} {}", name, command.help);
+            ++count;
+        }
+        log_info("{} commands", count);
+    });
+
+    const auto help = [&](CommandArguments arguments) {
+        expect_arguments(arguments, 0, 1, "help [NAME]");
+        if (arguments.empty()) {
+            log_info(
+                "cmdlist [PREFIX] shows commands, cvarlist [PREFIX] variables; help NAME tells "
+                "about one. A variable's name alone shows its value, NAME VALUE sets it.");
+            return;
+        }
+        const std::string name = ascii_lower(arguments[0]);
+        const auto command = commands.commands().find(name);
+        const auto alias = commands.aliases().find(name);
+        if (command != commands.commands().end())
+            log_info("{} {}", name, command->second.help);
+        else if (alias != commands.aliases().end())
+            log_info("{} is an alias for: {}", name, alias->second);
+        else if (const CvarInfo* info = find_cvar(name))
+            log_info("{} \"{}\" (default \"{}\"; {}): {}", info->name, variables.get_text(name),
+                     cvar_default_text(*info), cvar_range_text(*info), info->help);
+        else
+            fail("{}: no command or variable has this name", arguments[0]);
+    };
+    commands.add("help", "[NAME]: what a command or variable does", help,
+                 [&](CommandArguments finished) {
+                     std::vector<std::string> names = variable_names(finished);
+                     if (finished.empty())
+                         for (const auto& [name, command] : commands.commands())
+                             names.push_back(name);
+                     return names;
+                 });
+}
+
+int parse_frames(std::string_view text) {
+    int frames = 0;
+    const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), frames);
+    if (fault != std::errc() || stop != text.data() + text.size() || frames < 0)
+        fail("\"{}\" is not a number of frames", text);
+    return frames;
+}
+
+void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
+    commands.add("echo", "WORDS: prints them",
+                 [](CommandArguments arguments) { log_info("{}", join(arguments)); });
+    commands.add("wait", "[FRAMES]: what follows in the same script waits for 1 or more frames",
+                 [&](CommandArguments arguments) {
+                     expect_arguments(arguments, 0, 1, "wait [FRAMES]");
+                     commands.pause_script(arguments.empty() ? 1 : parse_frames(arguments[0]));
+                 });
+    commands.add("exec", "FILE: runs the commands of a cfg file",
+                 [&commands, read = std::move(read_script)](CommandArguments arguments) {
+                     expect_arguments(arguments, 1, 1, "exec FILE");
+                     commands.insert_text(read(arguments[0]), arguments[0]);
+                 });
+
+    commands.add("alias", "[NAME [COMMANDS]]: names a list of commands; shows one or all",
+                 [&](CommandArguments arguments) {
+                     if (arguments.empty()) {
+                         for (const auto& [name, text] : commands.aliases())
+                             log_info("  {} : {}", name, text);
+                         log_info("{} aliases", commands.aliases().size());
+                     } else if (arguments.size() == 1) {
+                         const auto alias = commands.aliases().find(ascii_lower(arguments[0]));
+                         if (alias == commands.aliases().end())
+                             fail("{}: no such alias", arguments[0]);
+                         log_info("{} : {}", alias->first, alias->second);
+                     } else {
+                         commands.set_alias(arguments[0], join(arguments.subspan(1)));
+                     }
+                 });
+    commands.add("unalias", "NAME: forgets an alias", [&](CommandArguments arguments) {
+        expect_arguments(arguments, 1, 1, "unalias NAME");
+        commands.remove_alias(arguments[0]);
+    });
+}
+
+} // namespace
+
+void add_builtin_commands(CommandRegistry& commands, ScriptReader read_script) {
+    add_variable_commands(commands);
+    add_help_commands(commands);
+    add_script_commands(commands, std::move(read_script));
+}
+
+} // namespace vigil

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The variable registry: text to value and back, ranges, change counters. The table itself is
+// shaders/shared/cvar_table.h.
+#include "common/cvar.h"
+
+#include "common/ascii_case.h"
+#include "common/error.h"
+#include "common/log.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+namespace vigil {
+
+namespace {
+
+constexpr bool defaults_are_valid() {
+#define VIGIL_STRING(name, life, value, help)
+#define VIGIL_NUMBER(name, life, value, low, high, help)                                           \
+    if (!(low <= value && value <= high)) return false;
+#define VIGIL_CHOICE(name, life, value, choices, help)                                             \
+    if (choice_index(choices, value) < 0) return false;
+    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE, VIGIL_NUMBER,
+                     VIGIL_NUMBER, VIGIL_CHOICE)
+#undef VIGIL_STRING
+#undef VIGIL_NUMBER
+#undef VIGIL_CHOICE
+    return true;
+}
+static_assert(defaults_are_valid(), "a default in the table is out of its range or choices");
+
+constexpr std::size_t gpu_row_count() {
+    std::size_t count = 0;
+    for (const CvarInfo& info : cvar_infos)
+        count += info.gpu ? 1 : 0;
+    return count;
+}
+static_assert(sizeof(GpuCvars) == 4 * gpu_row_count(), "GpuCvars must have the scalar layout");
+
+std::string_view trim(std::string_view text) {
+    const char* space = " \t\r\n";
+    const auto first = text.find_first_not_of(space);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
+double parse_number(const CvarInfo& info, std::string_view text) {
+    std::string_view digits = trim(text);
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+
+    double number = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, fault] = std::from_chars(digits.data(), end, number);
+    if (fault == std::errc::result_out_of_range && stop == end)
+        fail("{}: \"{}\" is beyond what a number can hold", info.name, text);
+    if (fault != std::errc() || stop != end || std::isnan(number))
+        fail("{}: \"{}\" is not a number ({})", info.name, text, cvar_range_text(info));
+    return number;
+}
+
+double clamp_number(const CvarInfo& info, double number) {
+    const double clamped = std::clamp(number, info.minimum, info.maximum);
+    if (clamped != number)
+        log_warning("{}: {} is out of range, set to {} ({})", info.name, number, clamped,
+                    cvar_range_text(info));
+    return clamped;
+}
+
+std::string check_string(const CvarInfo& info, std::string_view text) {
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 32 || byte == 127 || c == '"')
+            fail("{}: the text holds a double quote or a control character", info.name);
+    }
+    return std::string(text);
+}
+
+int parse_choice(const CvarInfo& info, std::string_view text) {
+    const std::string name = ascii_lower(trim(text));
+    if (const int index = choice_index(info.choices, name); index >= 0) return index;
+
+    int index = -1;
+    const char* end = name.data() + name.size();
+    const auto [stop, fault] = std::from_chars(name.data(), end, index);
+    if (fault != std::errc() || stop != end || index < 0 || index > info.maximum)
+        fail("{}: \"{}\" is none of {}", info.name, text, cvar_range_text(info));
+    return index;
+}
+
+std::string text_of(const CvarInfo& info, const std::string& value) {
+    (void)info;
+    return value;
+}
+std::string text_of(const CvarInfo& info, int value) {
+    if (info.type == CvarType::Choice) return std::string(choice_name(info.choices, value));
+    return fmt::to_string(value);
+}
+std::string text_of(const CvarInfo& info, float value) {
+    (void)info;
+    return fmt::format("{}", value);
+}
+
+} // namespace
+
+CvarRegistry& cvars() {
+    static CvarRegistry registry;
+    return registry;
+}
+
+std::string cvar_text(const CvarInfo& info, const CvarValues& values) {
+    return std::visit([&](auto member) { return text_of(info, values.*member); }, info.member);
+}
+
+std::string cvar_default_text(const CvarInfo& info) {
+    return cvar_text(info, CvarValues());
+}
+
+std::string cvar_range_text(const CvarInfo& info) {
+    switch (info.type) {
+    case CvarType::String:
+        return "text";
+    case CvarType::Integer:
+        return fmt::format("whole number, {:.0f} to {:.0f}", info.minimum, info.maximum);
+    case CvarType::Real:
+        return fmt::format("number, {:g} to {:g}", info.minimum, info.maximum);
+    case CvarType::Choice:
+        break;
+    }
+    return std::string(info.choices);
+}
+
+std::vector<const CvarInfo*> list_cvars(std::string_view prefix) {
+    std::vector<const CvarInfo*> rows;
+    for (const CvarInfo& info : cvar_infos)
+        if (starts_nocase(info.name, prefix)) rows.push_back(&info);
+    std::sort(rows.begin(), rows.end(),
+              [](const CvarInfo* a, const CvarInfo* b) { return a->name < b->name; });
+    return rows;
+}
+
+CvarRegistry::CvarRegistry() {
+    for (const CvarInfo& info : cvar_infos)
+        states_.push_back({0, cvar_default_text(info)});
+}
+
+std::size_t CvarRegistry::row_of(std::string_view name) {
+    const CvarInfo* info = find_cvar(name);
+    if (!info) fail("{}: unknown variable", name);
+    return static_cast<std::size_t>(info - cvar_infos);
+}
+
+std::size_t CvarRegistry::row_of(const Member& member) {
+    const auto* info = std::find_if(std::begin(cvar_infos), std::end(cvar_infos),
+                                    [&](const CvarInfo& row) { return row.member == member; });
+    return static_cast<std::size_t>(info - cvar_infos);
+}
+
+void CvarRegistry::set_for_this_run(std::string_view name, std::string_view text) {
+    const std::size_t row = row_of(name);
+    const CvarInfo& info = cvar_infos[row];
+    switch (info.type) {
+    case CvarType::String:
+        assign(row, check_string(info, text));
+        return;
+    case CvarType::Choice:
+        assign(row, parse_choice(info, text));
+        return;
+    case CvarType::Real:
+        assign(row, static_cast<float>(clamp_number(info, parse_number(info, text))));
+        return;
+    case CvarType::Integer:
+        break;
+    }
+    const double number = clamp_number(info, parse_number(info, text));
+    if (number != std::floor(number))
+        fail("{}: \"{}\" is not a whole number ({})", info.name, text, cvar_range_text(info));
+    assign(row, static_cast<int>(number));
+}
+
+void CvarRegistry::set(std::string_view name, std::string_view text) {
+    set_for_this_run(name, text);
+    states_[row_of(name)].archived = get_text(name);
+}
+
+void CvarRegistry::set_member(const Member& member, Value value) {
+    const std::size_t row = row_of(member);
+    const CvarInfo& info = cvar_infos[row];
+
+    // Bring the value into range by the same rules as text.
+    if (auto* text = std::get_if<std::string>(&value)) *text = check_string(info, *text);
+    if (auto* number = std::get_if<float>(&value)) {
+        if (std::isnan(*number)) fail("{}: NaN is not a number", info.name);
+        *number = static_cast<float>(clamp_number(info, *number));
+    }
+    if (auto* number = std::get_if<int>(&value)) {
+        if (info.type == CvarType::Choice && (*number < 0 || *number > info.maximum))
+            fail("{}: {} is none of {}", info.name, *number, cvar_range_text(info));
+        *number = static_cast<int>(clamp_number(info, *number));
+    }
+
+    assign(row, std::move(value));
+    states_[row].archived = cvar_text(info, values_);
+}
+
+void CvarRegistry::assign(std::size_t row, Value value) {
+    std::visit(
+        [&](auto member) {
+            auto& target = values_.*member;
+            auto& source = std::get<std::remove_reference_t<decltype(target)>>(value);
+            if (target == source) return;
+            target = std::move(source);
+            ++states_[row].changes;
+            ++changes_;
+        },
+        cvar_infos[row].member);
+}
+
+void CvarRegistry::reset(std::string_view name) {
+    const std::size_t row = row_of(name);
+    const CvarValues defaults;
+    std::visit([&](auto member) { assign(row, defaults.*member); }, cvar_infos[row].member);
+    states_[row].archived = get_text(name);
+}
+
+std::string CvarRegistry::get_text(std::string_view name) const {
+    return cvar_text(cvar_infos[row_of(name)], values_);
+}
+
+std::uint64_t CvarRegistry::changes(std::string_view name) const {
+    return states_[row_of(name)].changes;
+}
+
+GpuCvars CvarRegistry::gpu_values() const {
+    GpuCvars gpu;
+#define VIGIL_STRING(name, life, value, help)
+#define VIGIL_NUMBER(name, life, value, low, high, help)
+#define VIGIL_CHOICE(name, life, value, choices, help)
+#define VIGIL_GPU_NUMBER(name, life, value, low, high, help) gpu.name = values_.name;
+#define VIGIL_GPU_CHOICE(name, life, value, choices, help) gpu.name = values_.name;
+    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE, VIGIL_GPU_NUMBER,
+                     VIGIL_GPU_NUMBER, VIGIL_GPU_CHOICE)
+#undef VIGIL_STRING
+#undef VIGIL_NUMBER
+#undef VIGIL_CHOICE
+#undef VIGIL_GPU_NUMBER
+#undef VIGIL_GPU_CHOICE
+    return gpu;
+}
+
+std::string CvarRegistry::archive_text() const {
+    std::string text;
+    for (const CvarInfo* info : list_cvars()) {
+        const std::string& value = states_[row_of(info->name)].archived;
+        if (info->life == CvarLife::Archived && value != cvar_default_text(*info))
+            text += fmt::format("set {} \"{}\"\n", info->name, value);
+    }
+    return text;
+}
+
+} // namespace vigil

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One layer of the file system: a folder or an archive with its list of files. The list is made
+// once, when the source is opened; later changes on disk are not seen, damage is reported when a
+// file is read.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace vigil {
+
+class FileSource {
+public:
+    struct File {
+        std::string path; ///< safe, with forward slashes, in the spelling of the source
+        std::uint64_t bytes;
+    };
+
+    virtual ~FileSource() = default;
+
+    const std::string& name() const { return name_; }
+    const std::vector<File>& files() const { return files_; }
+
+    /// Index into files() for a path in lower case.
+    std::optional<std::size_t> find(const std::string& lower_path) const;
+
+    /// The content of files()[index]. Throws Error naming source, file and fault.
+    virtual std::vector<std::uint8_t> read(std::size_t index) const = 0;
+
+protected:
+    explicit FileSource(std::string name) : name_(std::move(name)) {}
+
+    /// Adds a file, with backslashes turned round (archives packed on Windows). False, and counted
+    /// as skipped, when the path is not a safe one; false when the name is there already: the first
+    /// one stays.
+    bool add(std::string path, std::uint64_t bytes);
+
+    /// Logs one warning when paths were skipped; for the end of opening.
+    void report_skipped() const;
+
+private:
+    std::string name_;
+    std::vector<File> files_;
+    std::unordered_map<std::string, std::size_t> by_lower_path_;
+    std::size_t skipped_ = 0;
+    std::string first_skipped_;
+};
+
+/// All regular files below a folder, through symbolic links too; links that lead back up are
+/// ignored.
+std::unique_ptr<FileSource> open_loose_folder(const std::filesystem::path& folder);
+
+/// Quake's PACK archive: 12-byte header, then a directory of 64-byte entries (56 bytes of name,
+/// 32-bit offset and length). Throws Error when the header or an entry is wrong.
+std::unique_ptr<FileSource> open_pak(const std::filesystem::path& path);
+
+/// A ZIP archive (PKWARE APPNOTE 6.3), stored and deflated entries, one disk, without ZIP64 and
+/// encryption. Throws Error when the central directory is wrong; what is wrong with one file shows
+/// when it is read.
+std::unique_ptr<FileSource> open_zip(const std::filesystem::path& path);
+
+} // namespace vigil

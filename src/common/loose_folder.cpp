@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The files of a folder on disk. The tree is listed once: levels look for textures under several
+// names, and a case-insensitive search on disk would list the same folders again each time.
+#include "common/binary_file.h"
+#include "common/error.h"
+#include "common/file_source.h"
+#include "common/file_system.h"
+#include "common/log.h"
+
+#include <algorithm>
+#include <sys/stat.h>
+#include <system_error>
+
+namespace vigil {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A game folder has some ten thousand files; more than this is somebody's whole disk.
+constexpr std::size_t max_entries = 500'000;
+
+struct FolderId {
+    dev_t device;
+    ino_t inode;
+    bool operator==(const FolderId&) const = default;
+};
+
+class LooseFolder : public FileSource {
+public:
+    explicit LooseFolder(const fs::path& folder) : FileSource(folder.string()), folder_(folder) {
+        std::vector<FolderId> above;
+        list(folder_, "", above);
+        if (entries_ > max_entries)
+            log_warning("{}: more than {} files; the others are left out", name(), max_entries);
+        report_skipped();
+    }
+
+    std::vector<std::uint8_t> read(std::size_t index) const override {
+        const BinaryFile file(folder_ / files()[index].path);
+        if (file.size() > max_file_bytes)
+            fail("{}: has {} bytes; the limit is {}", file.name(), file.size(), max_file_bytes);
+        return file.read(0, file.size());
+    }
+
+private:
+    // `above`: the folders from the root to here, to notice links that lead back up.
+    void list(const fs::path& folder, const std::string& prefix, std::vector<FolderId>& above) {
+        struct stat status = {};
+        if (stat(folder.c_str(), &status) != 0) return;
+        const FolderId id = {status.st_dev, status.st_ino};
+        if (std::find(above.begin(), above.end(), id) != above.end()) return;
+        above.push_back(id);
+
+        // In the order of names, so that of two names that differ in case the same one wins
+        // everywhere.
+        std::error_code fault;
+        std::vector<fs::path> entries;
+        for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+             entry.increment(fault))
+            entries.push_back(entry->path());
+        if (fault) log_warning("{}: cannot list: {}", folder.string(), fault.message());
+        std::sort(entries.begin(), entries.end());
+
+        for (const fs::path& entry : entries) {
+            if (++entries_ > max_entries) break;
+            std::error_code ignored; // a dangling link or a file that just vanished is not there
+            const fs::file_status kind = fs::status(entry, ignored);
+            const std::string path = prefix + entry.filename().string();
+            if (fs::is_directory(kind)) {
+                list(entry, path + '/', above);
+            } else if (fs::is_regular_file(kind) && path.find('\\') == std::string::npos) {
+                const std::uintmax_t bytes = fs::file_size(entry, ignored);
+                if (!ignored) add(path, bytes);
+            }
+        }
+        above.pop_back();
+    }
+
+    fs::path folder_;
+    std::size_t entries_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<FileSource> open_loose_folder(const fs::path& folder) {
+    return std::make_unique<LooseFolder>(folder);
+}
+
+} // namespace vigil
