@@ -150,6 +150,8 @@ struct Bsp {
     std::vector<BspFace> faces;
     std::vector<uint8_t> lightmaps; ///< RGB bytes; Vigil does not light with them
     std::vector<BspLeaf> leafs;
+    /// Faces that touch a leaf. May name faces of brush models (compilers list them in leafs of
+    /// cluster 0): skip indices >= models[0].face_count for the static world.
     std::vector<uint32_t> leaf_faces;
     std::vector<uint32_t> leaf_brushes;
     std::vector<std::array<uint32_t, 2>> edges; ///< vertex pairs

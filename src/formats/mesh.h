@@ -42,7 +42,7 @@ struct Mesh {
 
 /// Meshes with more vertices or indices than this in total are refused (a small file can instance
 /// one mesh many times).
-inline constexpr uint64_t mesh_max_elements = uint64_t{1} << 26;
+inline constexpr uint64_t mesh_max_elements = uint64_t{1} << 25;
 
 /// Parses a .glb. glTF is y-up, Vigil is z-up: a glTF point (x, y, z) becomes (x, -z, y), and one
 /// glTF unit is one map unit. The default scene is read, or all root nodes where there is none.

@@ -29,8 +29,8 @@ public:
     size_t words_per_row() const { return words_; }
     /// True where the level has no visibility information.
     bool sees_everything() const { return everything_; }
-    /// Rows that ended before their last cluster.
-    uint32_t short_rows() const { return short_rows_; }
+    /// Rows that were cut short or ran past their end; worth a warning where it is not 0.
+    uint32_t damaged_rows() const { return damaged_rows_; }
 
     /// True where cluster `to` may be seen from cluster `from`. A cluster of -1 sees, and is seen
     /// by, everything (Quake draws the whole level from inside a wall).
@@ -48,7 +48,7 @@ public:
 
 private:
     uint32_t cluster_count_ = 0;
-    uint32_t short_rows_ = 0;
+    uint32_t damaged_rows_ = 0;
     size_t words_ = 0;
     bool everything_ = true;
     std::vector<uint64_t> rows_; ///< row 0 is all ones, row c + 1 is cluster c

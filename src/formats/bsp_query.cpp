@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Queries on a checked level; see bsp_query.h. All indices are trusted because parse_bsp checked
+// them.
+#include "formats/bsp_query.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace vigil {
+
+std::vector<glm::vec3> face_polygon(const Bsp& bsp, const BspFace& face) {
+    std::vector<glm::vec3> polygon(face.edge_count);
+    for (uint32_t i = 0; i < face.edge_count; ++i) {
+        const int32_t edge = bsp.surf_edges[face.first_edge + i];
+        const uint32_t vertex = edge >= 0 ? bsp.edges[static_cast<size_t>(edge)][0]
+                                          : bsp.edges[static_cast<size_t>(-int64_t{edge})][1];
+        // The file walks a face clockwise.
+        polygon[face.edge_count - 1 - i] = bsp.vertices[vertex];
+    }
+    return polygon;
+}
+
+glm::vec3 face_normal(const Bsp& bsp, const BspFace& face) {
+    const glm::vec3 normal = glm::normalize(bsp.planes[face.plane].normal);
+    return face.back_side ? -normal : normal;
+}
+
+glm::vec2 texel_coordinates(const BspTexInfo& info, const glm::vec3& point) {
+    return {glm::dot(glm::vec3(info.s), point) + info.s.w,
+            glm::dot(glm::vec3(info.t), point) + info.t.w};
+}
+
+uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point) {
+    return leaf_at(bsp, point, bsp.models.front().headnode);
+}
+
+uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode) {
+    int32_t child = headnode;
+    while (child >= 0) {
+        const BspNode& node = bsp.nodes[static_cast<size_t>(child)];
+        const BspPlane& plane = bsp.planes[node.plane];
+        child = node.children[glm::dot(plane.normal, point) >= plane.dist ? 0 : 1];
+    }
+    return static_cast<uint32_t>(-1 - child);
+}
+
+int32_t cluster_at(const Bsp& bsp, const glm::vec3& point) {
+    return bsp.leafs[leaf_at(bsp, point)].cluster;
+}
+
+void leafs_in_box(const Bsp& bsp, const glm::vec3& mins, const glm::vec3& maxs,
+                  std::vector<uint32_t>& leafs) {
+    const size_t first = leafs.size();
+    const glm::vec3 center = 0.5f * (mins + maxs), half = 0.5f * (maxs - mins);
+    std::vector<int32_t> stack{bsp.models.front().headnode};
+    while (!stack.empty()) {
+        const int32_t child = stack.back();
+        stack.pop_back();
+        if (child < 0) {
+            leafs.push_back(static_cast<uint32_t>(-1 - child));
+            continue;
+        }
+        const BspNode& node = bsp.nodes[static_cast<size_t>(child)];
+        const BspPlane& plane = bsp.planes[node.plane];
+        const float distance = glm::dot(plane.normal, center) - plane.dist;
+        const float reach = glm::dot(glm::abs(plane.normal), half);
+        if (distance >= -reach) stack.push_back(node.children[0]);
+        if (distance <= reach) stack.push_back(node.children[1]);
+    }
+    // Several branches may end in one shared leaf.
+    const auto begin = leafs.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, leafs.end());
+    leafs.erase(std::unique(begin, leafs.end()), leafs.end());
+}
+
+std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo) {
+    std::vector<uint32_t> chain{texinfo};
+    // A chain may lead into a loop that leaves out its start; stop at the first repetition.
+    std::vector<bool> seen(bsp.texinfos.size(), false);
+    seen[texinfo] = true;
+    for (int32_t next = bsp.texinfos[texinfo].next; next >= 0 && !seen[static_cast<size_t>(next)];
+         next = bsp.texinfos[static_cast<size_t>(next)].next) {
+        seen[static_cast<size_t>(next)] = true;
+        chain.push_back(static_cast<uint32_t>(next));
+    }
+    return chain;
+}
+
+} // namespace vigil

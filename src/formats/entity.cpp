@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Entity text parser and the getters of Entity. The token rules are those of Quake's engine
+// (quotes, comments, bare words); it does not interpret keys.
+#include "formats/entity.h"
+
+#include "common/ascii_case.h"
+#include "common/error.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <system_error>
+
+namespace vigil {
+
+namespace {
+
+/// More keys than any level has; bounds the linear search of Entity::set on hostile text.
+constexpr size_t max_pairs = 1024;
+
+bool is_space(char c) {
+    return static_cast<unsigned char>(c) <= ' ';
+}
+
+/// Reads as many numbers as `out` holds from the start of `text`. from_chars, because a decimal
+/// point must not depend on the locale.
+bool parse_numbers(std::string_view text, std::span<double> out) {
+    for (double& value : out) {
+        while (!text.empty() && is_space(text.front()))
+            text.remove_prefix(1);
+        if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || !std::isfinite(value)) return false;
+        text.remove_prefix(static_cast<size_t>(end - text.data()));
+    }
+    return true;
+}
+
+bool fits_float(double value) {
+    return std::abs(value) <= std::numeric_limits<float>::max();
+}
+
+struct Token {
+    std::string text;
+    bool quoted = false;
+    bool is(char c) const { return !quoted && text.size() == 1 && text[0] == c; }
+};
+
+class Tokenizer {
+public:
+    Tokenizer(std::string_view name, std::string_view text)
+        : name_(name), text_(text.substr(0, text.find('\0'))) {}
+
+    /// The next token, or nothing at the end of the text.
+    std::optional<Token> next() {
+        skip_space_and_comments();
+        if (text_.empty()) return std::nullopt;
+        if (text_.front() == '"') return quoted();
+        if (text_.front() == '{' || text_.front() == '}') return Token{std::string(take(1)), false};
+        size_t size = 0;
+        while (size < text_.size() && !is_space(text_[size]) && text_[size] != '"' &&
+               text_[size] != '{' && text_[size] != '}')
+            ++size;
+        return Token{std::string(take(size)), false};
+    }
+
+    template <typename... Args>
+    [[noreturn]] void fail_here(fmt::format_string<Args...> text, Args&&... args) const {
+        fail("{}: entities lump: line {}: {}", name_, line_,
+             fmt::format(text, std::forward<Args>(args)...));
+    }
+
+private:
+    Token quoted() {
+        take(1);
+        const size_t end = text_.find('"');
+        if (end == std::string_view::npos) fail_here("a string has no closing quote");
+        Token token{{}, true};
+        const std::string_view raw = take(end);
+        for (size_t i = 0; i < raw.size(); ++i) {
+            const bool line_feed = raw[i] == '\\' && i + 1 < raw.size() && raw[i + 1] == 'n';
+            token.text += line_feed ? '\n' : raw[i];
+            if (line_feed) ++i;
+        }
+        take(1);
+        return token;
+    }
+
+    void skip_space_and_comments() {
+        while (!text_.empty()) {
+            if (is_space(text_.front()))
+                take(1);
+            else if (text_.starts_with("//"))
+                take(std::min(text_.find('\n'), text_.size()));
+            else
+                return;
+        }
+    }
+
+    std::string_view take(size_t size) {
+        const std::string_view taken = text_.substr(0, size);
+        line_ += static_cast<size_t>(std::count(taken.begin(), taken.end(), '\n'));
+        text_.remove_prefix(size);
+        return taken;
+    }
+
+    std::string_view name_;
+    std::string_view text_;
+    size_t line_ = 1;
+};
+
+} // namespace
+
+const std::string* Entity::find(std::string_view key) const {
+    const auto it = std::find_if(pairs.begin(), pairs.end(),
+                                 [&](const auto& pair) { return equal_nocase(pair.first, key); });
+    return it == pairs.end() ? nullptr : &it->second;
+}
+
+void Entity::set(std::string_view key, std::string_view value) {
+    const auto it = std::find_if(pairs.begin(), pairs.end(),
+                                 [&](const auto& pair) { return equal_nocase(pair.first, key); });
+    if (it == pairs.end())
+        pairs.emplace_back(key, value);
+    else
+        it->second = value;
+}
+
+std::string Entity::get_string(std::string_view key, std::string_view fallback) const {
+    const std::string* value = find(key);
+    return value ? *value : std::string(fallback);
+}
+
+float Entity::get_float(std::string_view key, float fallback) const {
+    const std::string* value = find(key);
+    std::array<double, 1> number{};
+    if (!value || !parse_numbers(*value, number) || !fits_float(number[0])) return fallback;
+    return static_cast<float>(number[0]);
+}
+
+int Entity::get_int(std::string_view key, int fallback) const {
+    const std::string* value = find(key);
+    std::array<double, 1> number{};
+    if (!value || !parse_numbers(*value, number)) return fallback;
+    return static_cast<int>(std::clamp<double>(number[0], std::numeric_limits<int>::min(),
+                                               std::numeric_limits<int>::max()));
+}
+
+glm::vec3 Entity::get_vec3(std::string_view key, glm::vec3 fallback) const {
+    const std::string* value = find(key);
+    std::array<double, 3> numbers{};
+    if (!value || !parse_numbers(*value, numbers) ||
+        !std::all_of(numbers.begin(), numbers.end(), fits_float))
+        return fallback;
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+std::vector<Entity> parse_entities(std::string_view name, std::string_view text) {
+    std::vector<Entity> entities;
+    Tokenizer tokens(name, text);
+    while (const auto open = tokens.next()) {
+        if (!open->is('{'))
+            tokens.fail_here("found '{:.40}' where '{{' begins an entity", open->text);
+        Entity entity;
+        while (true) {
+            const auto key = tokens.next();
+            if (!key) tokens.fail_here("entity {} has no closing brace", entities.size());
+            if (key->is('}')) break;
+            if (key->is('{')) tokens.fail_here("entity {} holds another '{{'", entities.size());
+            const auto value = tokens.next();
+            if (!value || value->is('}') || value->is('{'))
+                tokens.fail_here("key '{:.40}' has no value", key->text);
+            entity.set(key->text, value->text);
+            if (entity.pairs.size() > max_pairs)
+                tokens.fail_here("entity {} has more than {} keys", entities.size(), max_pairs);
+        }
+        entities.push_back(std::move(entity));
+    }
+    return entities;
+}
+
+} // namespace vigil

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Picks the decoder for a picture's bytes, and the small things every texture needs: the checker,
+// the mean colour, the fallback palette. stb_image decodes PNG, JPG and TGA (image_stb.cpp).
+#include "formats/image.h"
+
+#include "common/ascii_case.h"
+#include "common/error.h"
+#include "formats/image_stb.h"
+#include "formats/pcx.h"
+#include "formats/wal.h"
+
+#include <glm/ext/vector_double3.hpp>
+#include <glm/ext/vector_double4.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace vigil {
+
+namespace {
+
+bool starts_with(std::span<const uint8_t> bytes, std::initializer_list<uint8_t> signature) {
+    return bytes.size() >= signature.size() &&
+           std::equal(signature.begin(), signature.end(), bytes.begin());
+}
+
+/// The extension without its dot, in lower case.
+std::string extension_of(std::string_view name) {
+    const size_t dot = name.find_last_of("./");
+    if (dot == std::string_view::npos || name[dot] == '/') return {};
+    return ascii_lower(name.substr(dot + 1));
+}
+
+std::array<float, 256> make_linear_table() {
+    std::array<float, 256> table{};
+    for (size_t i = 0; i < table.size(); ++i) {
+        const double s = static_cast<double>(i) / 255.0;
+        table[i] =
+            static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+    }
+    return table;
+}
+
+} // namespace
+
+Image decode_image(std::string_view name, std::span<const uint8_t> bytes, const Palette* palette) {
+    if (bytes.empty()) fail("{}: the file is empty", name);
+    if (starts_with(bytes, {0x89, 'P', 'N', 'G'})) return decode_png(name, bytes);
+    if (starts_with(bytes, {0xff, 0xd8, 0xff})) return decode_jpg(name, bytes);
+    if (starts_with(bytes, {0x0a, 5, 1, 8})) return to_image(decode_pcx(name, bytes));
+
+    const std::string extension = extension_of(name);
+    if (extension == "tga") return decode_tga(name, bytes);
+    if (extension == "wal") return decode_wal(name, bytes, palette).image;
+    if (extension == "pcx") return to_image(decode_pcx(name, bytes));
+    if (extension == "png" || extension == "jpg" || extension == "jpeg")
+        fail("{}: the bytes are neither PNG nor JPG", name);
+    fail("{}: not a picture format Vigil reads (png, jpg, tga, wal, pcx)", name);
+}
+
+Palette fallback_palette() {
+    Palette palette;
+    for (size_t i = 0; i < palette.size(); ++i)
+        palette[i].fill(static_cast<uint8_t>(i % 16 * 17));
+    return palette;
+}
+
+Image checker_image() {
+    constexpr uint32_t size = 64, square = 8;
+    constexpr std::array<std::array<uint8_t, 4>, 2> colors = {
+        {{56, 56, 56, 255}, {200, 40, 200, 255}}};
+    Image image{size, size, {}};
+    image.rgba.reserve(size_t{4} * size * size);
+    for (uint32_t y = 0; y < size; ++y)
+        for (uint32_t x = 0; x < size; ++x) {
+            const auto& color = colors[(x / square + y / square) % 2];
+            image.rgba.insert(image.rgba.end(), color.begin(), color.end());
+        }
+    return image;
+}
+
+float srgb_to_linear(uint8_t value) {
+    static const std::array<float, 256> table = make_linear_table();
+    return table[value];
+}
+
+glm::vec4 average_color(const Image& image) {
+    // Doubles: a float sum of millions of texels would lose its last digits.
+    glm::dvec3 sum(0.0);
+    double alpha_sum = 0.0;
+    for (size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+        const double alpha = image.rgba[i + 3] / 255.0;
+        sum += alpha * glm::dvec3(srgb_to_linear(image.rgba[i]), srgb_to_linear(image.rgba[i + 1]),
+                                  srgb_to_linear(image.rgba[i + 2]));
+        alpha_sum += alpha;
+    }
+    if (alpha_sum == 0.0) return glm::vec4(0.0f);
+    const double texels = static_cast<double>(image.rgba.size() / 4);
+    return glm::vec4(glm::dvec4(sum / alpha_sum, alpha_sum / texels));
+}
+
+} // namespace vigil
