@@ -24,47 +24,76 @@
 
 // clang-format off
 #define VIGIL_CVAR_TABLE(STRING, INTEGER, REAL, CHOICE, GPU_INTEGER, GPU_REAL, GPU_CHOICE) \
-    STRING(basedir, Start, "", "folder that holds baseq2; empty: beside the program, in its sources, or installed") \
-    STRING(game, Start, "baseq2", "folder below basedir whose files come before those of baseq2") \
+    STRING(basedir, Start, "", \
+        "folder that holds baseq2; empty: beside the program, in its sources, or installed") \
+    STRING(game, Start, "baseq2", \
+        "folder below basedir whose files come before those of baseq2") \
     STRING(outdir, Session, "out", "folder for pictures, reports and recorded demos") \
     \
-    CHOICE(vid_driver, Start, "auto", "auto|sdl|glfw|headless", "what opens the window; auto: sdl, or headless without a display") \
+    CHOICE(vid_driver, Start, "auto", "auto|sdl|glfw|headless", \
+        "what opens the window; auto: sdl, or headless without a display") \
     INTEGER(vid_width, Archived, 640, 16, 16384, "width of the picture in pixels") \
     INTEGER(vid_height, Archived, 360, 16, 16384, "height of the picture in pixels") \
     INTEGER(vid_fullscreen, Archived, 0, 0, 1, "1: the window covers the screen") \
-    INTEGER(vid_vsync, Archived, 1, 0, 1, "1: show a frame only when the display starts a new one") \
+    INTEGER(vid_vsync, Archived, 1, 0, 1, \
+        "1: show a frame only when the display starts a new one") \
     \
-    REAL(sensitivity, Archived, 3.0, 0.01, 100.0, "mouse speed: the view turns 0.022 degrees times this per count, as in Quake") \
+    REAL(sensitivity, Archived, 3.0, 0.01, 100.0, \
+        "mouse speed: the view turns 0.022 degrees times this per count, as in Quake") \
     INTEGER(m_invert, Archived, 0, 0, 1, "1: moving the mouse forward looks down") \
-    REAL(fov, Archived, 90.0, 1.0, 170.0, "horizontal field of view in degrees for a 4:3 picture; wider pictures see more") \
-    REAL(cl_maxfps, Archived, 250.0, 1.0, 10000.0, "most frames per second that the program tries to show; timedemo ignores it") \
-    REAL(con_notify, Archived, 3.0, 0.0, 60.0, "seconds that a new line of the console stays over the picture") \
-    INTEGER(timedemo, Session, 0, 0, 1, "1: a demo plays every frame as fast as it can and prints frame rate and GPU times") \
-    STRING(timedemo_json, Session, "", "file below outdir that receives the numbers of a timedemo; empty: none") \
+    REAL(fov, Archived, 90.0, 1.0, 170.0, \
+        "horizontal field of view in degrees for a 4:3 picture; wider pictures see more") \
+    REAL(cl_maxfps, Archived, 250.0, 1.0, 10000.0, \
+        "most frames per second that the program tries to show; timedemo ignores it") \
+    REAL(con_notify, Archived, 3.0, 0.0, 60.0, \
+        "seconds that a new line of the console stays over the picture") \
+    INTEGER(timedemo, Session, 0, 0, 1, \
+        "1: a demo plays every frame as fast as it can and prints frame rate and GPU times") \
+    STRING(timedemo_json, Session, "", \
+        "file below outdir that receives the numbers of a timedemo; empty: none") \
     \
-    CHOICE(pt_nee, Session, "sll", technique_choices, "how next event estimation chooses a light") \
-    CHOICE(pt_trace, Session, "auto", "auto|bvh|query", "ray tracing by our BVH in compute or by VK_KHR_ray_query; auto: query on GPUs that have it") \
+    CHOICE(pt_nee, Session, "sll", technique_choices, \
+        "how next event estimation chooses a light") \
+    CHOICE(pt_trace, Session, "auto", "auto|bvh|query", \
+        "ray tracing by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
     INTEGER(pt_spp, Session, 1, 1, 4096, "paths per pixel and frame") \
-    INTEGER(pt_accumulate, Session, 0, 0, 1, "1: average all frames while nothing moves; for references") \
-    INTEGER(pt_jitter, Session, 1, 0, 2, "camera rays: 0 through pixel centres, 1 through random points of the pixel while accumulating, 2 always") \
-    INTEGER(pt_light_styles, Session, 1, 0, 1, "0: flickering and switched lights shine steadily") \
-    GPU_INTEGER(pt_seed, Session, 0, 0, 2147483647, "seed of all random numbers; same seed, same picture") \
-    GPU_INTEGER(pt_bounces, Session, 1, 0, 1, "number of indirect hits at which lights are sampled") \
-    GPU_INTEGER(pt_sll_max, Session, 32, 1, 1024, "sll: most lights weighted per hit; longer lists are walked with a stride") \
+    INTEGER(pt_accumulate, Session, 0, 0, 1, \
+        "1: average all frames while nothing moves; for references") \
+    INTEGER(pt_jitter, Session, 1, 0, 2, \
+        "camera rays: 0 through pixel centres, 1 jittered while accumulating, 2 always jittered") \
+    INTEGER(pt_light_styles, Session, 1, 0, 1, \
+        "0: flickering and switched lights shine steadily") \
+    GPU_INTEGER(pt_seed, Session, 0, 0, 2147483647, \
+        "seed of all random numbers; same seed, same picture") \
+    GPU_INTEGER(pt_bounces, Session, 1, 0, 1, \
+        "number of indirect hits at which lights are sampled") \
+    GPU_INTEGER(pt_sll_max, Session, 32, 1, 1024, \
+        "sll: most lights weighted per hit; longer lists are walked with a stride") \
     GPU_REAL(pt_sky_scale, Session, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \
     GPU_REAL(pt_sun_size, Session, 1.0, 0.01, 90.0, "angular diameter of the sun in degrees") \
-    GPU_REAL(pt_emissive_scale, Session, 1.0, 0.0, 1e6, "factor on the radiance of emissive faces") \
-    GPU_INTEGER(pt_emissive_texture, Session, 1, 0, 1, "1: lamps that the camera sees show their texture; 0: their mean radiance") \
-    GPU_CHOICE(pt_texture_filter, Session, "bilinear", "nearest|bilinear", "how textures are magnified") \
-    GPU_REAL(pt_exposure, Session, 0.0, 0.0, 1e6, "factor from radiance to brightness; 0: automatic") \
-    GPU_REAL(pt_exposure_bias, Archived, 0.0, -16.0, 16.0, "stops added to the exposure, automatic or not") \
-    GPU_CHOICE(pt_tonemap, Archived, "filmic", "none|reinhard|filmic", "curve from exposed radiance to the display") \
-    GPU_CHOICE(pt_view, Session, "none", "none|albedo|normal|depth|cluster|triangle|light|nonfinite", "shows what the path tracer knows instead of the picture") \
+    GPU_REAL(pt_emissive_scale, Session, 1.0, 0.0, 1e6, \
+        "factor on the radiance of emissive faces") \
+    GPU_INTEGER(pt_emissive_texture, Session, 1, 0, 1, \
+        "1: lamps that the camera sees show their texture; 0: their mean radiance") \
+    GPU_CHOICE(pt_texture_filter, Session, "bilinear", "nearest|bilinear", \
+        "how textures are magnified") \
+    GPU_REAL(pt_exposure, Session, 0.0, 0.0, 1e6, \
+        "factor from radiance to brightness; 0: automatic") \
+    GPU_REAL(pt_exposure_bias, Archived, 0.0, -16.0, 16.0, \
+        "stops added to the exposure, automatic or not") \
+    GPU_CHOICE(pt_tonemap, Archived, "filmic", "none|reinhard|filmic", \
+        "curve from exposed radiance to the display") \
+    GPU_CHOICE(pt_view, Session, "none", \
+        "none|albedo|normal|depth|cluster|triangle|light|nonfinite", \
+        "shows what the path tracer knows instead of the picture") \
     \
-    STRING(vk_device, Start, "", "part of the name or the index of the Vulkan device; empty: the best one") \
-    INTEGER(vk_validation, Start, 0, 0, 2, "validation layer: 0 off, 1 core, 2 core and synchronisation") \
-    INTEGER(vk_debug_names, Start, 0, 0, 1, "1: names and labels for graphics debuggers, also without the validation layer")
+    STRING(vk_device, Start, "", \
+        "part of the name or the index of the Vulkan device; empty: the best one") \
+    INTEGER(vk_validation, Start, 0, 0, 2, \
+        "validation layer: 0 off, 1 core, 2 core and synchronisation") \
+    INTEGER(vk_debug_names, Start, 0, 0, 1, \
+        "1: names and labels for graphics debuggers, also without the validation layer")
 // clang-format on
 
 #define VIGIL_CVAR_NOT_GPU_STRING(name, life, value, help)

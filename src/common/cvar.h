@@ -75,21 +75,29 @@ struct CvarInfo {
 
 // clang-format off
 inline constexpr CvarInfo cvar_infos[] = {
-#define VIGIL_STRING(name, life, value, help) {#name, CvarType::String, CvarLife::life, false, 0, 0, "", help, &CvarValues::name},
-#define VIGIL_INTEGER_ROW(name, life, gpu, low, high, help) {#name, CvarType::Integer, CvarLife::life, gpu, low, high, "", help, &CvarValues::name},
-#define VIGIL_REAL_ROW(name, life, gpu, low, high, help) {#name, CvarType::Real, CvarLife::life, gpu, low, high, "", help, &CvarValues::name},
-#define VIGIL_CHOICE_ROW(name, life, gpu, choices, help) {#name, CvarType::Choice, CvarLife::life, gpu, 0, choice_count(choices) - 1.0, choices, help, &CvarValues::name},
-#define VIGIL_INTEGER(name, life, value, low, high, help) VIGIL_INTEGER_ROW(name, life, false, low, high, help)
-#define VIGIL_REAL(name, life, value, low, high, help) VIGIL_REAL_ROW(name, life, false, low, high, help)
-#define VIGIL_CHOICE(name, life, value, choices, help) VIGIL_CHOICE_ROW(name, life, false, choices, help)
-#define VIGIL_GPU_INTEGER(name, life, value, low, high, help) VIGIL_INTEGER_ROW(name, life, true, low, high, help)
-#define VIGIL_GPU_REAL(name, life, value, low, high, help) VIGIL_REAL_ROW(name, life, true, low, high, help)
-#define VIGIL_GPU_CHOICE(name, life, value, choices, help) VIGIL_CHOICE_ROW(name, life, true, choices, help)
+#define VIGIL_STRING(name, life, value, help) \
+    {#name, CvarType::String, CvarLife::life, false, 0, 0, "", help, &CvarValues::name},
+#define VIGIL_NUMBER_ROW(name, type, life, gpu, low, high, help) \
+    {#name, CvarType::type, CvarLife::life, gpu, low, high, "", help, &CvarValues::name},
+#define VIGIL_CHOICE_ROW(name, life, gpu, choices, help) \
+    {#name, CvarType::Choice, CvarLife::life, gpu, 0, choice_count(choices) - 1.0, choices, help, \
+     &CvarValues::name},
+#define VIGIL_INTEGER(name, life, value, low, high, help) \
+    VIGIL_NUMBER_ROW(name, Integer, life, false, low, high, help)
+#define VIGIL_REAL(name, life, value, low, high, help) \
+    VIGIL_NUMBER_ROW(name, Real, life, false, low, high, help)
+#define VIGIL_CHOICE(name, life, value, choices, help) \
+    VIGIL_CHOICE_ROW(name, life, false, choices, help)
+#define VIGIL_GPU_INTEGER(name, life, value, low, high, help) \
+    VIGIL_NUMBER_ROW(name, Integer, life, true, low, high, help)
+#define VIGIL_GPU_REAL(name, life, value, low, high, help) \
+    VIGIL_NUMBER_ROW(name, Real, life, true, low, high, help)
+#define VIGIL_GPU_CHOICE(name, life, value, choices, help) \
+    VIGIL_CHOICE_ROW(name, life, true, choices, help)
     VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_INTEGER, VIGIL_REAL, VIGIL_CHOICE, VIGIL_GPU_INTEGER,
                      VIGIL_GPU_REAL, VIGIL_GPU_CHOICE)
 #undef VIGIL_STRING
-#undef VIGIL_INTEGER_ROW
-#undef VIGIL_REAL_ROW
+#undef VIGIL_NUMBER_ROW
 #undef VIGIL_CHOICE_ROW
 #undef VIGIL_INTEGER
 #undef VIGIL_REAL
