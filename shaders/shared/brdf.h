@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The reflection model: a Lambertian base under an optional GGX coat (Walter et al. 2007;
+// height-correlated Smith masking, Heitz 2014; Schlick's Fresnel), coupled so that together they
+// never reflect more than arrives (Shirley et al., "A Practitioners' Assessment of Light Reflection
+// Models", 1997). No refraction, no multiple scattering between facets, no textures; normals arrive
+// ready to use.
+#ifndef VIGIL_SHARED_BRDF_H
+#define VIGIL_SHARED_BRDF_H
+
+#include "glsl.h"
+#include "sampling.h"
+
+SHADER_BEGIN
+
+/// A surface's reflection. With f0 = 0 there is no GGX lobe: where a shader sets that as a
+/// constant, the compiler drops all of its code.
+struct Brdf {
+    vec3 albedo; // of the diffuse base, each in [0, 1]
+    float f0;    // GGX reflectance at normal incidence, in [0, 1]; 0 = purely Lambertian
+    float alpha; // GGX width = roughness^2, in [0.01, 1]; ignored when f0 = 0
+};
+
+/// One direction pair's reflection.
+struct BrdfValue {
+    vec3 value; // BRDF * cosine of the light direction; 0 below the horizon
+    float pdf;  // per steradian, with which `brdf_sample` draws the light direction
+};
+
+struct BrdfSample {
+    vec3 direction; // unit, towards the light
+    BrdfValue
+        seen; // value and pdf of it; pdf 0: the draw fell below the horizon and counts as black
+};
+
+/// Views below or along the surface (interpolated normals, rounding) count as seen from this
+/// cosine.
+SHADER_CONST float BRDF_MIN_COSINE = 1e-3f;
+
+/// Luminance of linear Rec. 709 colours.
+SHADER_FN float luminance(vec3 color) {
+    return dot(color, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+SHADER_FN Brdf brdf_lambert(vec3 albedo) {
+    Brdf brdf;
+    brdf.albedo = albedo;
+    brdf.f0 = 0.0f;
+    brdf.alpha = 1.0f;
+    return brdf;
+}
+
+/// (1 - cosine)^5, the shape of Schlick's Fresnel term. Cosines outside [0, 1] are clamped.
+SHADER_FN float schlick_weight(float cosine) {
+    float m = clamp(1.0f - cosine, 0.0f, 1.0f);
+    float m2 = m * m;
+    return m2 * m2 * m;
+}
+
+/// The view direction, lifted to a cosine of BRDF_MIN_COSINE where it is below. Evaluation, density
+/// and sampling all pass through here, so they agree for any unit view. Quake's flat walls never
+/// need it.
+SHADER_FN vec3 brdf_view(vec3 normal, vec3 view) {
+    float cosine = dot(normal, view);
+    if (cosine >= BRDF_MIN_COSINE) return view;
+    return normalize(view + (BRDF_MIN_COSINE - cosine) * normal);
+}
+
+/// Cosine of a direction for the formulas below: rounding may push a dot product of unit vectors
+/// past 1.
+SHADER_FN float brdf_cosine(vec3 normal, vec3 direction) {
+    return min(dot(normal, direction), 1.0f);
+}
+
+/// Albedo of the base that the coat lets through before the factor (1 - (1 - n.l)^5) of the light
+/// direction: 21/20 (1 - f0) (1 - (1 - n.v)^5). Under a mirror coat the sum of both is exactly 1
+/// for a white base.
+SHADER_FN float diffuse_under_coat(float f0, float view_cosine) {
+    return 1.05f * (1.0f - f0) * (1.0f - schlick_weight(view_cosine));
+}
+
+/// Chance that `brdf_sample` draws from the GGX lobe: its share of the reflected light, but at
+/// least 0.1, so that narrow highlights are found on bright walls.
+SHADER_FN float specular_probability(Brdf brdf, float view_cosine) {
+    float specular = brdf.f0 + (1.0f - brdf.f0) * schlick_weight(view_cosine);
+    float diffuse = luminance(brdf.albedo) * (1.0f - specular);
+    return max(0.1f, specular / max(specular + diffuse, 1e-6f));
+}
+
+/// BRDF * cosine and density for unit vectors; `view` and `light` point away from the surface.
+/// Reciprocal but for the cosine. Never NaN, infinite or negative, whatever the (unit) directions.
+SHADER_FN BrdfValue brdf_evaluate(Brdf brdf, vec3 normal, vec3 view, vec3 light) {
+    BrdfValue seen;
+    float nl = brdf_cosine(normal, light);
+    if (!(nl > 0.0f)) {
+        seen.value = vec3(0.0f);
+        seen.pdf = 0.0f;
+        return seen;
+    }
+    seen.value = brdf.albedo * (nl * INVERSE_PI);
+    seen.pdf = nl * INVERSE_PI;
+    if (brdf.f0 > 0.0f) {
+        vec3 v = brdf_view(normal, view);
+        float nv = brdf_cosine(normal, v);
+        vec3 h = normalize(v + light);
+        // GGX distribution. sin^2 from the cross product keeps its digits near the peak, where 1 -
+        // (n.h)^2 has none.
+        vec3 nxh = cross(normal, h);
+        float nh = brdf_cosine(normal, h);
+        float alpha2 = brdf.alpha * brdf.alpha;
+        float slope = dot(nxh, nxh) + alpha2 * nh * nh;
+        float distribution = alpha2 * INVERSE_PI / (slope * slope);
+        // Smith: masking for the density, masking and shadowing together for the value.
+        float root_v = sqrt(alpha2 + (1.0f - alpha2) * nv * nv);
+        float root_l = sqrt(alpha2 + (1.0f - alpha2) * nl * nl);
+        float fresnel = brdf.f0 + (1.0f - brdf.f0) * schlick_weight(dot(v, h));
+        float specular = 0.5f * fresnel * distribution * nl / (nl * root_v + nv * root_l);
+        float visible_normals = 0.5f * distribution / (nv + root_v);
+        float under = diffuse_under_coat(brdf.f0, nv) * (1.0f - schlick_weight(nl));
+        seen.value = seen.value * under + vec3(specular);
+        seen.pdf = mix(seen.pdf, visible_normals, specular_probability(brdf, nv));
+    }
+    return seen;
+}
+
+/// Density per steradian with which `brdf_sample` draws `light`.
+SHADER_FN float brdf_pdf(Brdf brdf, vec3 normal, vec3 view, vec3 light) {
+    return brdf_evaluate(brdf, normal, view, light).pdf;
+}
+
+/// Reflection of a local view (z = normal) off a GGX normal drawn from those the view sees. Source:
+/// Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023.
+SHADER_FN vec3 sample_visible_reflection(vec3 view, float alpha, vec2 u) {
+    vec3 stretched = normalize(vec3(alpha * view.x, alpha * view.y, view.z));
+    float angle = TWO_PI * u.x;
+    float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    float radius = sqrt(clamp(1.0f - z * z, 0.0f, 1.0f));
+    vec3 h = vec3(radius * cos(angle), radius * sin(angle), z) + stretched;
+    // The two unit vectors cancel only for a view along the surface, which brdf_view has lifted.
+    h = normalize(vec3(alpha * h.x, alpha * h.y, max(h.z, 1e-7f)));
+    return 2.0f * dot(view, h) * h - view;
+}
+
+/// Draws a light direction in proportion to the reflected light, as a mixture of the cosine lobe
+/// and GGX's visible normals. u.z chooses between the two, u.xy the direction.
+SHADER_FN BrdfSample brdf_sample(Brdf brdf, vec3 normal, vec3 view, vec3 u) {
+    Basis basis = make_basis(normal);
+    BrdfSample drawn;
+    vec3 local;
+    bool specular = false;
+    if (brdf.f0 > 0.0f) {
+        vec3 v = brdf_view(normal, view);
+        specular = u.z < specular_probability(brdf, brdf_cosine(normal, v));
+        if (specular) {
+            local = sample_visible_reflection(to_local(basis, v), brdf.alpha, vec2(u.x, u.y));
+        }
+    }
+    if (!specular) local = sample_cosine_hemisphere(vec2(u.x, u.y));
+    drawn.direction = normalize(to_world(basis, local));
+    drawn.seen = brdf_evaluate(brdf, normal, view, drawn.direction);
+    return drawn;
+}
+
+SHADER_END
+#endif
