@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Axis-aligned bounds of points and triangles, as the builders of the bottom and the top level use
-// them. Empty bounds are inverted, so that growing needs no special case. Nothing here is conservative: the
-// encoders pad what they write.
+// them. Empty bounds are inverted, so that growing needs no special case. Nothing here is
+// conservative: the encoders pad what they write.
 #pragma once
 
 #include <glm/glm.hpp>

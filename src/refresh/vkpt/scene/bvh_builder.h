@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Builds the bottom-level bounding volume hierarchy of one model: binned SAH (Wald 2007), then written in the
-// node format of shaders/shared/bvh.h. Pure CPU work; it neither knows Vulkan nor uploads anything,
-// and it does not refit: a model that deforms is built again.
+// Builds the bottom-level bounding volume hierarchy of one model: binned SAH (Wald 2007), then
+// written in the node format of shaders/shared/bvh.h. Pure CPU work; it neither knows Vulkan nor
+// uploads anything, and it does not refit: a model that deforms is built again.
 #pragma once
 
 #include "refresh/vkpt/scene/bounds.h"
@@ -12,7 +12,8 @@
 
 namespace vigil {
 
-/// One triangle in object space. Coordinates are finite, |x| <= 1e5 map units; zero area is allowed.
+/// One triangle in object space. Coordinates are finite, |x| <= 1e5 map units; zero area is
+/// allowed.
 struct BvhInputTriangle {
     glm::vec3 v0{0.0f};
     glm::vec3 v1{0.0f};
@@ -31,9 +32,10 @@ struct Bvh {
 /// one root that nothing hits. Uses up to two threads.
 Bvh build_bvh(std::span<const BvhInputTriangle> triangles);
 
-/// Appends `bvh` to the node buffer that all models share (BINDING_BVH_NODES). `first_primitive` is the
-/// index in BvhTriangle[] / Primitive[] where the model's leaf slot 0 lies. Returns the root for
-/// Instance::bvh_root (a node index). The static world is appended first, so that its root is 0.
+/// Appends `bvh` to the node buffer that all models share (BINDING_BVH_NODES). `first_primitive` is
+/// the index in BvhTriangle[] / Primitive[] where the model's leaf slot 0 lies. Returns the root
+/// for Instance::bvh_root (a node index). The static world is appended first, so that its root is
+/// 0.
 std::uint32_t append_bvh(const Bvh& bvh, std::uint32_t first_primitive,
                          std::vector<glm::uvec4>& nodes);
 

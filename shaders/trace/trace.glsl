@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The ray-tracing interface: trace_closest and trace_occluded, the only two names other shaders
+// use. Compiled with TRACE_QUERY=1 the backend is VK_KHR_ray_query, else the compute hierarchy. It
+// declares what it reads (nodes, triangles, top level or acceleration structure), and nothing about
+// materials.
+#ifndef VIGIL_TRACE_GLSL
+#define VIGIL_TRACE_GLSL
+
+#include "../shared/bindings.h"
+#include "../shared/bvh.h"
+
+/// False: the scene is instance 0 alone, in place; the top level is neither bound nor walked.
+layout(constant_id = 0) const bool HAS_INSTANCES = true;
+/// False: every triangle is opaque and no coverage test is compiled.
+layout(constant_id = 1) const bool HAS_TRANSLUCENT = true;
+
+#if TRACE_QUERY
+#include "trace_query.glsl"
+#else
+#include "trace_bvh.glsl"
+#endif
+
+/// Closest hit in (ray.t_min, ray.t_max). Opaque triangles stop rays from both sides; translucent
+/// ones only from their front, with probability coverage / 255 decided by a hash of (seed,
+/// instance, primitive).
+bool trace_closest(Ray ray, uint seed, out Hit hit) {
+    return trace_backend(ray, seed, false, hit);
+}
+
+/// True if anything stops the ray in (ray.t_min, ray.t_max).
+bool trace_occluded(Ray ray, uint seed) {
+    Hit hit;
+    return trace_backend(ray, seed, true, hit);
+}
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The compute backend: the static world first, then the top level over the other instances, which
+// is threaded (each node knows where to go on when its box is missed) and so needs no stack.
+// Formats are in shared/bvh.h; include trace.glsl, not this.
+#ifndef VIGIL_TRACE_BVH_GLSL
+#define VIGIL_TRACE_BVH_GLSL
+
+layout(set = SET_SCENE, binding = BINDING_BVH_NODES, scalar) restrict readonly buffer BvhNodes {
+    uvec4 bvh_nodes[];
+};
+layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES,
+       scalar) restrict readonly buffer BvhTriangles {
+    BvhTriangle bvh_triangles[];
+};
+layout(set = SET_SCENE, binding = BINDING_TOP_NODES, scalar) restrict readonly buffer TopNodes {
+    TopNode top_nodes[];
+};
+
+uvec4 bvh_load_node(uint word) {
+    return bvh_nodes[word];
+}
+BvhTriangle bvh_load_triangle(uint index) {
+    return bvh_triangles[index];
+}
+
+#include "bvh_traverse.glsl"
+
+bool trace_backend(Ray ray, uint seed, bool any_hit, out Hit hit) {
+    hit = Hit(ray.t_max, NONE, NONE, vec2(0.0), false);
+    if (!HAS_INSTANCES) {
+        return bvh_traverse(0u, ray, seed, 0u, any_hit, HAS_TRANSLUCENT, hit);
+    }
+    // One loop over "the next hierarchy to walk", so that the walk is compiled once: first the
+    // world, then whatever the top level finds.
+    vec3 inverse = bvh_reciprocal3(ray.direction);
+    Ray local = ray;
+    uint root = 0u;
+    uint instance = 0u;
+    uint next = 0u;
+    bool found = false;
+    while (true) {
+        if (bvh_traverse(root, local, seed, instance, any_hit, HAS_TRANSLUCENT, hit)) {
+            found = true;
+            if (any_hit) return true;
+        }
+        // Find the next instance whose box the ray enters before the nearest hit so far.
+        bool leaf = false;
+        while (!leaf && next != TOP_END) {
+            bool enters = bvh_box_entry(top_nodes[next].lower, top_nodes[next].upper, ray.origin,
+                                        inverse, ray.t_min, hit.t) < 3e38;
+            leaf = enters && top_nodes[next].instance != NONE;
+            if (leaf) {
+                mat4x3 object_from_world = top_nodes[next].object_from_world;
+                root = top_nodes[next].root;
+                instance = top_nodes[next].instance;
+                local.origin = object_from_world * vec4(ray.origin, 1.0);
+                local.direction = object_from_world * vec4(ray.direction, 0.0);
+            }
+            next = enters && !leaf ? next + 1u : top_nodes[next].skip;
+        }
+        if (!leaf) return found;
+    }
+    return found;
+}
+
+#endif
