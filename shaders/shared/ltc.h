@@ -162,20 +162,21 @@ SHADER_FN float form_factor(vec3 normal, vec3 v0, vec3 e1, vec3 e2, float facing
     return clamp(contour, min(bound, 1.0f), 1.0f);
 }
 
-/// Prepares a purely Lambertian point. `position` should be the origin of the shadow rays
-/// (offset_ray_origin).
-SHADER_FN LtcSurface ltc_prepare_diffuse(vec3 position, vec3 normal, vec3 albedo) {
+/// Prepares a purely Lambertian point; `albedo` is the luminance of its albedo. Best given the
+/// origin of the shadow rays (offset_ray_origin) as position: lights in the surface's own plane are
+/// then below its horizon, whatever the rounding.
+SHADER_FN LtcSurface ltc_prepare_diffuse(vec3 position, vec3 normal, float albedo) {
     LtcSurface surface;
     surface.position = position;
     surface.normal = normal;
-    surface.diffuse = luminance(albedo);
+    surface.diffuse = albedo;
     surface.specular = 0.0f;
     surface.to_cosine = mat3(1.0f);
     surface.determinant = 1.0f;
     return surface;
 }
 
-/// Prepares a point with both lobes: `entry` is the table at (brdf.alpha, ltc_view_cosine).
+/// Prepares a point with both lobes; `entry` is the table's at ltc_cell(brdf.alpha, view cosine).
 SHADER_FN LtcSurface ltc_prepare_glossy(vec3 position, vec3 normal, vec3 view, Brdf brdf,
                                         LtcEntry entry) {
     vec3 v = brdf_view(normal, view);
@@ -204,13 +205,14 @@ SHADER_CONST float LTC_DEFENSIVE = 0.02f;
 /// Luminance that the light would add to the surface if it were visible, by which to choose among
 /// lights. Exactly 0 for lights that are dark, face away, have no area or lie below the horizon;
 /// positive and finite for all others.
-SHADER_FN float ltc_importance(LtcSurface surface, Light light) {
+/// `glossy` is false where no surface has a GGX lobe: as a constant, it removes that lobe's code.
+SHADER_FN float ltc_importance(LtcSurface surface, Light light, bool glossy) {
     float facing = light_facing(light, surface.position);
     if (!(facing > 0.0f)) return 0.0f;
     vec3 v0 = light.v0 - surface.position;
     float form = form_factor(surface.normal, v0, light.e1, light.e2, facing);
     float importance = surface.diffuse * form;
-    if (surface.specular > 0.0f) {
+    if (glossy && surface.specular > 0.0f) {
         float lobe = form_factor(vec3(0.0f, 0.0f, 1.0f), surface.to_cosine * v0,
                                  surface.to_cosine * light.e1, surface.to_cosine * light.e2,
                                  surface.determinant * facing);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The fitted table of linearly transformed cosines on the GPU: its buffer, and the look-up that shared/ltc.h
+// leaves to the host language. A shader that never calls it makes no access to the table.
+#ifndef VIGIL_LIGHT_LTC_GLSL
+#define VIGIL_LIGHT_LTC_GLSL
+
+#include "shared/bindings.h"
+#include "shared/ltc.h"
+
+// LTC_TABLE_SIZE^2 entries, refresh/vkpt/light/ltc_table.h.
+layout(set = SET_SCENE, binding = BINDING_LTC, scalar) restrict readonly buffer LtcBlock {
+    LtcEntry ltc_entries[];
+};
+
+/// The table at a GGX width and the cosine of the view, interpolated.
+LtcEntry ltc_lookup(float alpha, float view_cosine) {
+    const LtcCell cell = ltc_cell(alpha, view_cosine);
+    const uint first = cell.row * LTC_TABLE_SIZE + cell.column;
+    return ltc_mix(ltc_entries[first], ltc_entries[first + 1u], ltc_entries[first + LTC_TABLE_SIZE],
+                   ltc_entries[first + LTC_TABLE_SIZE + 1u], cell.weight);
+}
+
+/// Prepares a point with a diffuse and a GGX lobe for `ltc_importance`; directions are unit vectors.
+LtcSurface ltc_prepare_glossy(vec3 position, vec3 normal, vec3 view, Brdf brdf) {
+    const float view_cosine = brdf_cosine(normal, brdf_view(normal, view));
+    return ltc_prepare_glossy(position, normal, view, brdf, ltc_lookup(brdf.alpha, view_cosine));
+}
+
+#endif
