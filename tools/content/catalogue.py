@@ -6,6 +6,7 @@ from typing import Callable
 
 import sky
 import test_rooms
+import warehouse
 
 
 @dataclass
@@ -20,6 +21,7 @@ class Entry:
 def levels(lights=None):
     """All levels; lights adds a hall with that many lamps."""
     out = [Entry(f.__name__, "test", lambda f=f: (f(), None)) for f in test_rooms.LEVELS]
+    out.append(Entry("warehouse", "game", warehouse.build))
     return out
 
 

@@ -20,7 +20,7 @@ def compile_map(ericw, source):
         shutil.copy(source, copy)
         # No luxel subdivision: there are no light maps. One leak stops the build.
         run(ericw, "qbsp", "-q2bsp", "-subdivide", "0", "-leaktest", "-noextendedsurfflags",
-            "-noextendedcontentflags", copy)
+            "-noextendedcontentflags", "-noallowupgrade", "-tjunc", "rotate", copy)
         run(ericw, "vis", copy.with_suffix(".bsp"))
         shutil.copy(copy.with_suffix(".bsp"), source.with_suffix(".bsp"))
 
