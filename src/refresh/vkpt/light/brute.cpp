@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Technique `brute`: samples no lights, so it has no data (shaders/light/brute.glsl).
+#include "refresh/vkpt/light/technique.h"
+
+namespace vigil::vkpt {
+
+namespace {
+
+class Brute : public LightTechnique {
+public:
+    bool prepare(const LightSet&) override { return false; }
+    void upload(gpu::FrameCommands&) override {}
+    Bindings bindings() const override { return {}; }
+    bool samples_lights() const override { return false; }
+};
+
+} // namespace
+
+std::unique_ptr<LightTechnique> make_brute(const TechniqueContext&) {
+    return std::make_unique<Brute>();
+}
+
+} // namespace vigil::vkpt

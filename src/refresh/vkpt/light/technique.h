@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The host side of a light-sampling technique: it keeps the buffers of descriptor set 1 that its
+// shader (shaders/light/NAME.glsl) reads. Adding one: a shader file, a file here, and a row in
+// shaders/shared/techniques.h.
+#pragma once
+
+#include "refresh/vkpt/gpu/commands.h"
+
+#include <array>
+#include <memory>
+
+#include "shared/bindings.h"
+#include "shared/techniques.h"
+
+namespace vigil {
+class LightLister;
+}
+
+namespace vigil::vkpt {
+
+class LightSet;
+
+class LightTechnique {
+public:
+    virtual ~LightTechnique() = default;
+
+    /// Brings the technique's data to this frame's lights, on the host. Returns true if a buffer
+    /// was made anew (the GPU is idle then), so that bindings must be written again.
+    virtual bool prepare(const LightSet& lights) = 0;
+    /// Records the copies of what changed; after prepare.
+    virtual void upload(gpu::FrameCommands& commands) = 0;
+    /// Buffers by binding of set 1; null where there is none.
+    using Bindings = std::array<const gpu::Buffer*, TECHNIQUE_BINDING_COUNT>;
+    virtual Bindings bindings() const = 0;
+    /// Whether next event estimation is of any use: false where rays find the lights.
+    virtual bool samples_lights() const { return true; }
+};
+
+/// What techniques are made from: valid as long as the level is.
+struct TechniqueContext {
+    const gpu::Device& device;
+    const LightLister& lister; // PVS clusters of the level
+};
+
+std::unique_ptr<LightTechnique> make_technique(Technique technique,
+                                               const TechniqueContext& context);
+
+// One maker per row of shaders/shared/techniques.h, each defined in light/NAME.cpp.
+#define VIGIL_DECLARE_TECHNIQUE(name, help)                                                        \
+    std::unique_ptr<LightTechnique> make_##name(const TechniqueContext& context);
+VIGIL_TECHNIQUE_TABLE(VIGIL_DECLARE_TECHNIQUE)
+#undef VIGIL_DECLARE_TECHNIQUE
+
+} // namespace vigil::vkpt
