@@ -24,8 +24,9 @@ void write_table(const char* path, const std::vector<LtcFit>& table) {
            "// clang-format off\n";
     for (const LtcFit& fit : table) {
         const auto& m = fit.entry.matrix;
-        out << fmt::format("{{{{{:.5g}f, {:.5g}f, {:.5g}f, {:.5g}f}}, {{{:.5g}f, {:.5g}f}}}},\n",
-                           m.x, m.y, m.z, m.w, fit.entry.albedo.x, fit.entry.albedo.y);
+        out << fmt::format(
+            "{{{{{:#.5g}f, {:#.5g}f, {:#.5g}f, {:#.5g}f}}, {{{:#.5g}f, {:#.5g}f}}}},\n", m.x, m.y,
+            m.z, m.w, fit.entry.albedo.x, fit.entry.albedo.y);
     }
     if (!out) fail("cannot write {}", path);
 }
