@@ -55,7 +55,7 @@
     CHOICE(pt_nee, Session, "sll", technique_choices, \
         "how next event estimation chooses a light") \
     CHOICE(pt_trace, Session, "auto", "auto|bvh|query", \
-        "ray tracing by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
+        "rays by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
     INTEGER(pt_spp, Session, 1, 1, 4096, "paths per pixel and frame") \
     INTEGER(pt_accumulate, Session, 0, 0, 1, \
         "1: average all frames while nothing moves; for references") \

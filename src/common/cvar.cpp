@@ -63,7 +63,7 @@ double parse_number(const CvarInfo& info, std::string_view text) {
 double clamp_number(const CvarInfo& info, double number) {
     const double clamped = std::clamp(number, info.minimum, info.maximum);
     if (clamped != number)
-        log_warning("{}: {} is out of range, set to {} ({})", info.name, number, clamped,
+        log_warning("{}: {:.9g} is out of range, set to {:.9g} ({})", info.name, number, clamped,
                     cvar_range_text(info));
     return clamped;
 }
@@ -192,7 +192,10 @@ void CvarRegistry::set_member(const Member& member, Value value) {
     if (auto* text = std::get_if<std::string>(&value)) *text = check_string(info, *text);
     if (auto* number = std::get_if<float>(&value)) {
         if (std::isnan(*number)) fail("{}: NaN is not a number", info.name);
-        *number = static_cast<float>(clamp_number(info, *number));
+        // The ends of the range themselves may lie a rounding error outside it as floats.
+        const bool at_end = *number == static_cast<float>(info.minimum) ||
+                            *number == static_cast<float>(info.maximum);
+        if (!at_end) *number = static_cast<float>(clamp_number(info, *number));
     }
     if (auto* number = std::get_if<int>(&value)) {
         if (info.type == CvarType::Choice && (*number < 0 || *number > info.maximum))

@@ -4,13 +4,29 @@
 
 #include "common/ascii_case.h"
 
+#include <algorithm>
+
 namespace vigil {
+
+namespace {
+
+bool is_control(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 32 || byte == 127;
+}
+
+} // namespace
+
+std::string printable_path(std::string_view path) {
+    std::string printable(path);
+    std::replace_if(printable.begin(), printable.end(), is_control, '?');
+    return printable;
+}
 
 std::string_view game_path_fault(std::string_view path) {
     if (path.empty()) return "is empty";
     for (const char c : path) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 32 || byte == 127) return "holds a control character";
+        if (is_control(c)) return "holds a control character";
         if (c == '\\') return "holds a backslash";
     }
     if (path[0] == '/') return "is absolute";

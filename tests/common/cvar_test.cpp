@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The variable registry: every row of the table behaves as its type and range say.
+#include "common/cvar.h"
+
+#include "common/error.h"
+#include "scratch_folder.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace vigil {
+
+// Names the parameter in test output by its variable instead of by its bytes.
+void PrintTo(const CvarInfo& info, std::ostream* stream) {
+    *stream << info.name;
+}
+
+namespace {
+
+using test::error_of;
+using test::LogCapture;
+
+class EveryCvar : public testing::TestWithParam<CvarInfo> {};
+
+TEST_P(EveryCvar, DefaultTextIsAcceptedAndChangesNothing) {
+    CvarRegistry registry;
+    const std::string text = registry.get_text(GetParam().name);
+    const LogCapture log;
+    registry.set(GetParam().name, text);
+    EXPECT_EQ(registry.get_text(GetParam().name), text);
+    EXPECT_EQ(registry.changes(), 0u);
+    EXPECT_TRUE(log.lines.empty()) << log.all();
+}
+
+TEST_P(EveryCvar, RefusesWhatItsTypeCannotHoldAndKeepsItsValue) {
+    CvarRegistry registry;
+    const CvarInfo& info = GetParam();
+    const std::string before = registry.get_text(info.name);
+    if (info.type == CvarType::String) {
+        for (const char* text : {"a\"b", "a\nb", "\x01", "\x7f"})
+            EXPECT_THROW(registry.set(info.name, text), Error);
+    } else {
+        for (const char* text : {"", " ", "nan", "-nan", "NaN", "x", "1x", "1 2", "0x10", "+-1",
+                                 "--1", "1e999", "1,5", "none|"})
+            EXPECT_THROW(registry.set(info.name, text), Error) << info.name << " = " << text;
+    }
+    EXPECT_EQ(registry.get_text(info.name), before);
+    EXPECT_EQ(registry.changes(info.name), 0u);
+}
+
+TEST_P(EveryCvar, ClampsNumbersOutOfRangeWithOneWarning) {
+    const CvarInfo& info = GetParam();
+    if (info.type != CvarType::Integer && info.type != CvarType::Real) GTEST_SKIP() << "no range";
+    for (const bool high : {false, true}) {
+        CvarRegistry registry;
+        const LogCapture log;
+        const double end = high ? info.maximum : info.minimum;
+        registry.set(info.name, high ? "1e30" : "-1e30");
+        EXPECT_FLOAT_EQ(std::stof(registry.get_text(info.name)), static_cast<float>(end));
+        EXPECT_EQ(log.count(Severity::Warning), 1u);
+        EXPECT_TRUE(log.contains(info.name));
+
+        // The end of the range itself is in it, however it is rounded.
+        registry.set(info.name, registry.get_text(info.name));
+        EXPECT_EQ(log.lines.size(), 1u) << log.all();
+    }
+}
+
+TEST_P(EveryCvar, HasHelpAndAUniqueNameInLowerCase) {
+    const CvarInfo& info = GetParam();
+    EXPECT_FALSE(info.help.empty());
+    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
+              std::string_view::npos);
+    EXPECT_EQ(find_cvar(info.name)->help, info.help);
+    if (info.type == CvarType::Choice) {
+        std::set<std::string_view> names;
+        for (int i = 0; i < choice_count(info.choices); ++i)
+            names.insert(choice_name(info.choices, i));
+        EXPECT_EQ(names.size(), static_cast<std::size_t>(choice_count(info.choices)));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryCvar, testing::ValuesIn(cvar_infos),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Cvar, ChoicesAreSetByNameInAnyCaseAndByIndex) {
+    CvarRegistry registry;
+    registry.set("pt_nee", "POWER");
+    EXPECT_EQ(registry->pt_nee, cvar_choice("pt_nee", "power"));
+    EXPECT_EQ(registry->pt_nee, static_cast<int>(Technique::power));
+    registry.set("pt_nee", "1");
+    EXPECT_EQ(registry.get_text("pt_nee"), "uniform");
+    for (const char* text : {"4", "-1", "1.0", "sl", "sll|uniform", "99999999999999999999"})
+        EXPECT_NE(error_of([&] { registry.set("pt_nee", text); }).find("sll|uniform|power|brute"),
+                  std::string::npos);
+    EXPECT_EQ(registry->pt_nee, 1);
+}
+
+TEST(Cvar, IntegersRefuseFractionsAndTakeWholeNumbersInAnySpelling) {
+    CvarRegistry registry;
+    EXPECT_THROW(registry.set("pt_spp", "1.5"), Error);
+    registry.set("pt_spp", " +4e1 ");
+    EXPECT_EQ(registry->pt_spp, 40);
+    registry.set("pt_seed", "2147483647");
+    EXPECT_EQ(registry->pt_seed, 2147483647);
+}
+
+TEST(Cvar, RealsSurviveTheWayThroughText) {
+    CvarRegistry registry;
+    for (const float value : {0.1f, 1.0f / 3.0f, 123456.78f, 1e-30f}) {
+        registry.set(&CvarValues::pt_exposure, value);
+        const std::string text = registry.get_text("pt_exposure");
+        registry.reset("pt_exposure");
+        registry.set("pt_exposure", text);
+        EXPECT_EQ(registry->pt_exposure, value) << text;
+    }
+}
+
+TEST(Cvar, TypedSetFollowsTheSameRules) {
+    CvarRegistry registry;
+    const LogCapture log;
+    registry.set(&CvarValues::pt_sun_size, 0.01f);
+    registry.set(&CvarValues::pt_sun_size, 90.0f);
+    EXPECT_TRUE(log.lines.empty()) << log.all();
+    registry.set(&CvarValues::pt_spp, 1 << 30);
+    EXPECT_EQ(registry->pt_spp, 4096);
+    EXPECT_EQ(log.count(Severity::Warning), 1u);
+    EXPECT_THROW(registry.set(&CvarValues::pt_exposure, std::nanf("")), Error);
+    EXPECT_THROW(registry.set(&CvarValues::pt_view, 99), Error);
+    EXPECT_THROW(registry.set(&CvarValues::outdir, "a\nb"), Error);
+    registry.set(&CvarValues::outdir, "pictures");
+    EXPECT_EQ(registry->outdir, "pictures");
+}
+
+TEST(Cvar, CountsChangesOnlyWhenTheValueBecomesAnother) {
+    CvarRegistry registry;
+    registry.set("pt_spp", "4");
+    registry.set("pt_spp", "4");
+    registry.set("fov", "100");
+    EXPECT_EQ(registry.changes("pt_spp"), 1u);
+    EXPECT_EQ(registry.changes(&CvarValues::fov), 1u);
+    EXPECT_EQ(registry.changes(), 2u);
+    registry.reset("pt_spp");
+    EXPECT_EQ(registry.changes("pt_spp"), 2u);
+    EXPECT_EQ(registry->pt_spp, 1);
+}
+
+TEST(Cvar, UnknownNamesAreErrors) {
+    CvarRegistry registry;
+    EXPECT_NE(error_of([&] { registry.set("no_such", "1"); }).find("no_such"), std::string::npos);
+    EXPECT_THROW(registry.get_text("no_such"), Error);
+    EXPECT_THROW(registry.reset(""), Error);
+    EXPECT_THROW(registry.changes("no_such"), Error);
+}
+
+TEST(Cvar, ArchiveHoldsWhatAPersonChangedAndNotTheCommandLine) {
+    CvarRegistry registry;
+    registry.set("fov", "110");
+    registry.set("pt_spp", "8"); // lasts for the session only
+    registry.set_for_this_run("vid_width", "64");
+    registry.set("vid_height", "480");
+    registry.set_for_this_run("vid_height", "32");
+    EXPECT_EQ(registry->vid_width, 64);
+    EXPECT_EQ(registry->vid_height, 32);
+    EXPECT_EQ(registry.archive_text(), "set fov \"110\"\nset vid_height \"480\"\n");
+    registry.set("vid_width", "128");
+    registry.reset("fov");
+    EXPECT_EQ(registry.archive_text(), "set vid_height \"480\"\nset vid_width \"128\"\n");
+}
+
+TEST(Cvar, GpuValuesFollow) {
+    CvarRegistry registry;
+    registry.set("pt_sky_scale", "2.5");
+    registry.set("pt_view", "depth");
+    const GpuCvars gpu = registry.gpu_values();
+    EXPECT_EQ(gpu.pt_sky_scale, 2.5f);
+    EXPECT_EQ(gpu.pt_view, cvar_choice("pt_view", "depth"));
+    EXPECT_EQ(gpu.pt_sll_max, 32);
+}
+
+TEST(Cvar, ListsByPrefixInOrder) {
+    const auto rows = list_cvars("VID_");
+    ASSERT_FALSE(rows.empty());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_TRUE(rows[i]->name.starts_with("vid_"));
+        if (i > 0) {
+            EXPECT_LT(rows[i - 1]->name, rows[i]->name);
+        }
+    }
+    EXPECT_EQ(list_cvars().size(), std::size(cvar_infos));
+    EXPECT_TRUE(list_cvars("zzz").empty());
+}
+
+} // namespace
+
+} // namespace vigil
