@@ -12,7 +12,7 @@
 #include <imgui.h>
 #include <optional>
 
-namespace vigil {
+namespace vigil::vkpt {
 namespace {
 
 constexpr uint32_t frames_in_flight = 2;
@@ -185,4 +185,4 @@ TEST_F(OverlayTest, CanBeMadeAgain) {
 }
 
 } // namespace
-} // namespace vigil
+} // namespace vigil::vkpt

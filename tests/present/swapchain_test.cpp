@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-namespace vigil {
+namespace vigil::vkpt {
 namespace {
 
 constexpr uint32_t frames_in_flight = 2;
@@ -190,4 +190,4 @@ TEST_F(SwapchainTest, ClipsAndLetterboxes) {
 }
 
 } // namespace
-} // namespace vigil
+} // namespace vigil::vkpt

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace vigil {
+namespace vigil::vkpt {
 
 class ValidationText {
 public:
@@ -26,4 +26,4 @@ private:
     int token_;
 };
 
-} // namespace vigil
+} // namespace vigil::vkpt

@@ -8,7 +8,7 @@
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 
-namespace vigil {
+namespace vigil::vkpt {
 
 namespace {
 
@@ -181,4 +181,4 @@ void Overlay::draw(VkCommandBuffer commands, const gpu::Image& picture, ImDrawDa
     vkCmdEndRenderPass(commands);
 }
 
-} // namespace vigil
+} // namespace vigil::vkpt

@@ -11,7 +11,7 @@
 struct ImDrawData;
 struct ImGuiContext;
 
-namespace vigil {
+namespace vigil::vkpt {
 
 /// Make it when there is something to draw for the first time; a program without a console pays
 /// nothing. One at a time per ImGui context. Destroy it before the context.
@@ -48,4 +48,4 @@ private:
     size_t next_framebuffer_ = 0;
 };
 
-} // namespace vigil
+} // namespace vigil::vkpt
