@@ -21,8 +21,12 @@ bool has_display() {
 
 } // namespace
 
+bool wants_window(std::string_view driver) {
+    return driver != "headless" && (driver != "auto" || has_display());
+}
+
 std::unique_ptr<Window> open_window(std::string_view driver, const WindowOptions& options) {
-    if (driver == "headless" || (driver == "auto" && !has_display())) return nullptr;
+    if (!wants_window(driver)) return nullptr;
 
     struct System {
         std::string_view name;

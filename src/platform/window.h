@@ -42,6 +42,9 @@ public:
 /// and the next of SDL, GLFW, headless is tried. Returns null for headless.
 std::unique_ptr<Window> open_window(std::string_view driver, const WindowOptions& options);
 
+/// False when `driver` is "headless", or "auto" without a display in the environment.
+bool wants_window(std::string_view driver);
+
 /// One window system each; throw Error when it is not available.
 std::unique_ptr<Window> open_sdl_window(const WindowOptions& options);
 std::unique_ptr<Window> open_glfw_window(const WindowOptions& options);

@@ -211,7 +211,7 @@ private:
         return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
     }
 
-    void add(Event event) { events_.push_back(std::move(event)); }
+    template <typename T> void add(T event) { events_.emplace_back(std::move(event)); }
 
     void add_key(Key key, int action) {
         if (key != Key::None) add(KeyEvent{key, action != GLFW_RELEASE, action == GLFW_REPEAT});

@@ -201,12 +201,12 @@ private:
 
     void translate_wheel(const SDL_MouseWheelEvent& wheel, std::vector<Event>& events) {
         const float sign = wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -1.0f : 1.0f;
-        events.push_back(WheelEvent{sign * wheel.preciseY});
+        events.emplace_back(WheelEvent{sign * wheel.preciseY});
         const int steps = wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -wheel.y : wheel.y;
         const Key key = steps > 0 ? Key::WheelUp : Key::WheelDown;
         for (int i = 0; i < std::abs(steps); ++i) {
-            events.push_back(KeyEvent{key, true, false});
-            events.push_back(KeyEvent{key, false, false});
+            events.emplace_back(KeyEvent{key, true, false});
+            events.emplace_back(KeyEvent{key, false, false});
         }
     }
 
@@ -215,13 +215,13 @@ private:
         case SDL_WINDOWEVENT_SIZE_CHANGED:
         case SDL_WINDOWEVENT_MINIMIZED:
         case SDL_WINDOWEVENT_RESTORED:
-            events.push_back(ResizeEvent{framebuffer_size()});
+            events.emplace_back(ResizeEvent{framebuffer_size()});
             break;
         case SDL_WINDOWEVENT_FOCUS_GAINED:
-            events.push_back(FocusEvent{true});
+            events.emplace_back(FocusEvent{true});
             break;
         case SDL_WINDOWEVENT_FOCUS_LOST:
-            events.push_back(FocusEvent{false});
+            events.emplace_back(FocusEvent{false});
             break;
         default:
             break;
@@ -231,27 +231,27 @@ private:
     void translate(const SDL_Event& event, std::vector<Event>& events) {
         switch (event.type) {
         case SDL_QUIT:
-            events.push_back(CloseEvent{});
+            events.emplace_back(CloseEvent{});
             break;
         case SDL_KEYDOWN:
         case SDL_KEYUP: {
             const Key key = key_of(event.key.keysym.scancode);
             if (key == Key::None) break;
-            events.push_back(KeyEvent{key, event.type == SDL_KEYDOWN, event.key.repeat != 0});
+            events.emplace_back(KeyEvent{key, event.type == SDL_KEYDOWN, event.key.repeat != 0});
             break;
         }
         case SDL_TEXTINPUT:
-            events.push_back(TextEvent{event.text.text});
+            events.emplace_back(TextEvent{event.text.text});
             break;
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP: {
             const Key key = key_of_button(event.button.button);
             if (key == Key::None) break;
-            events.push_back(KeyEvent{key, event.type == SDL_MOUSEBUTTONDOWN, false});
+            events.emplace_back(KeyEvent{key, event.type == SDL_MOUSEBUTTONDOWN, false});
             break;
         }
         case SDL_MOUSEMOTION:
-            events.push_back(
+            events.emplace_back(
                 MouseMoveEvent{glm::vec2(event.motion.x, event.motion.y) * pixel_scale(),
                                glm::vec2(event.motion.xrel, event.motion.yrel)});
             break;

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The main loop.
+#include "client/client.h"
+
+#include "common/error.h"
+#include "common/log.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace vigil::client {
+
+namespace {
+
+// The camera does not jump when a frame took longer (a level was loaded).
+constexpr double longest_move_s = 0.5;
+constexpr double minimised_sleep_s = 0.02;
+constexpr double title_interval_s = 1.0;
+
+void sleep_for(double seconds) {
+    if (seconds > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+} // namespace
+
+Client::Client(const ClientParts& parts)
+    : commands_(parts.commands), console_(parts.console), overlay_(parts.overlay),
+      window_(parts.window), variables_(parts.commands.variables()),
+      session_(parts.files, parts.renderer, variables_),
+      input_(commands_, parts.bindings, console_, session_.camera()),
+      fullscreen_(variables_->vid_fullscreen != 0) {
+    buttons_.add_commands(commands_);
+    add_level_commands(*this);
+    add_view_commands(*this);
+    add_picture_commands(*this);
+    add_fly_command(*this);
+}
+
+Client::~Client() = default;
+
+void Client::quit() {
+    quitting_ = true;
+    commands_.clear();
+}
+
+glm::ivec2 Client::picture_size() const {
+    if (window_ != nullptr) return window_->framebuffer_size();
+    return {variables_->vid_width, variables_->vid_height};
+}
+
+void Client::run() {
+    if (!headless() && session_.level() == nullptr && commands_.idle()) console_.set_open(true);
+    last_frame_s_ = clock_.seconds();
+    while (!quitting_) {
+        if (headless() && commands_.idle()) break;
+        frame();
+    }
+}
+
+void Client::frame() {
+    const double start_s = clock_.seconds();
+    double seconds = std::exchange(last_frame_s_, start_s);
+    seconds = headless() ? headless_frame_s : start_s - seconds;
+
+    if (!headless()) {
+        handle_events();
+        if (quitting_) return;
+        follow_settings();
+        if (window_->framebuffer_size() == glm::ivec2(0)) {
+            sleep_for(minimised_sleep_s); // minimised: nothing to draw into
+            return;
+        }
+    }
+
+    const Stopwatch watch;
+    move_camera(seconds);
+    render(seconds);
+    if (flight_) finish_flight_frame(watch.seconds());
+    commands_.run_frame();
+    if (!headless()) {
+        show_title(seconds);
+        if (!flight_) limit_rate(start_s);
+    }
+}
+
+void Client::handle_events() {
+    for (const platform::Event& event : window_->poll_events()) {
+        input_.handle(event, captured_);
+    }
+    if (input_.close_requested()) quit();
+}
+
+bool Client::mouse_look() const {
+    return input_.focused() && !console_.is_open() && session_.level() != nullptr;
+}
+
+void Client::follow_settings() {
+    if (mouse_look() != captured_) {
+        captured_ = !captured_;
+        window_->set_mouse_captured(captured_);
+    }
+    const bool fullscreen = variables_->vid_fullscreen != 0;
+    if (fullscreen == fullscreen_) return;
+    fullscreen_ = fullscreen;
+    try {
+        window_->set_fullscreen(fullscreen);
+    } catch (const Error& error) {
+        log_error("vid_fullscreen: {}", error.what());
+    }
+}
+
+void Client::move_camera(double seconds) {
+    const FlightInput held = buttons_.take_frame();
+    if (flight_) {
+        flight_->begin_frame(session_);
+        return;
+    }
+    session_.camera().fly(held, static_cast<float>(std::min(seconds, longest_move_s)));
+    session_.advance(seconds);
+}
+
+void Client::render(double seconds) {
+    const double now = clock_.seconds();
+    console_.update(now);
+    ImDrawData* drawn = nullptr;
+    if (!headless()) {
+        const bool full = session_.level() == nullptr;
+        drawn = overlay_.draw(console_, picture_size(), now, seconds, variables_->con_notify, full);
+    }
+    session_.render(drawn);
+}
+
+void Client::load_map(std::string_view name) {
+    log_info("loading {} ...", name);
+    // Loading takes a while; the last frame before it says what is going on.
+    if (!headless() && picture_size() != glm::ivec2(0)) render(0.0);
+    end_flight();
+    session_.load_map(name);
+    console_.set_open(false);
+    if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
+    last_frame_s_ = clock_.seconds();
+}
+
+void Client::start_flight(Route route, FlightPlan plan) {
+    flight_ = std::make_unique<FlyThrough>(std::move(route), std::move(plan));
+    flight_error_ = nullptr;
+    console_.set_open(false);
+}
+
+bool Client::flight_done() {
+    if (flight_error_) std::rethrow_exception(std::exchange(flight_error_, nullptr));
+    return flight_ == nullptr;
+}
+
+void Client::finish_flight_frame(double seconds) {
+    // The command `fly` waits for the end of the flight, and reports what is thrown here as its
+    // own.
+    try {
+        flight_->end_frame(session_, seconds);
+        if (!flight_->finished()) return;
+        flight_->report(session_, variables_);
+    } catch (const Error&) {
+        flight_error_ = std::current_exception();
+    }
+    flight_.reset();
+}
+
+void Client::show_title(double seconds) {
+    ++title_frames_;
+    title_s_ += seconds;
+    if (title_s_ < title_interval_s) return;
+    if (session_.level() != nullptr) {
+        window_->set_title(fmt::format("Vigil - {} - {:.1f} fps", session_.level()->name,
+                                       title_frames_ / title_s_));
+    }
+    title_frames_ = 0;
+    title_s_ = 0.0;
+}
+
+void Client::limit_rate(double frame_start_s) const {
+    sleep_for(1.0 / variables_->cl_maxfps - (clock_.seconds() - frame_start_s));
+}
+
+} // namespace vigil::client

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The main loop: events, commands, time, one rendered frame after the other. Without a window
+// (headless) it goes on as long as commands wait to run, and every frame lasts exactly 1/60 s of
+// the level's time, so that the same commands give the same pictures.
+#pragma once
+
+#include "client/console.h"
+#include "client/fly_through.h"
+#include "client/held_buttons.h"
+#include "client/input.h"
+#include "client/key_bindings.h"
+#include "client/overlay.h"
+#include "client/session.h"
+#include "common/command.h"
+#include "common/stopwatch.h"
+#include "platform/window.h"
+
+#include <exception>
+#include <memory>
+#include <optional>
+
+namespace vigil::client {
+
+/// Time that a headless frame lasts, in seconds.
+inline constexpr double headless_frame_s = 1.0 / 60.0;
+
+/// What a client works with; all must outlive it.
+struct ClientParts {
+    const FileSystem& files;
+    CommandRegistry& commands;
+    KeyBindings& bindings;
+    Console& console;
+    Overlay& overlay;
+    refresh::Renderer& renderer;
+    platform::Window* window = nullptr; ///< null: headless
+};
+
+class Client {
+public:
+    /// Adds its commands to the registry (add_*_commands below).
+    explicit Client(const ClientParts& parts);
+    ~Client();
+    Client(const Client&) = delete;
+    Client& operator=(const Client&) = delete;
+
+    /// Runs until `quit`, until the window is closed, or, headless, until no command waits any
+    /// more. Throws Error when rendering fails for good (device lost).
+    void run();
+
+    /// Ends run() after the present command; commands that wait are dropped.
+    void quit();
+    bool quitting() const { return quitting_; }
+
+    bool headless() const { return window_ == nullptr; }
+    Session& session() { return session_; }
+    CommandRegistry& commands() { return commands_; }
+    Console& console() { return console_; }
+    /// Size of the picture in pixels.
+    glm::ivec2 picture_size() const;
+
+    /// Loads a level; while it loads, the window says so. Throws Error and keeps the level before.
+    void load_map(std::string_view name);
+    /// Starts a flight, or ends the one under way.
+    void start_flight(Route route, FlightPlan plan);
+    void end_flight() { flight_.reset(); }
+    /// True when no flight is under way; throws Error when the last one failed.
+    bool flight_done();
+
+private:
+    void frame();
+    void handle_events();
+    void follow_settings();
+    void move_camera(double seconds);
+    void render(double seconds);
+    void finish_flight_frame(double seconds);
+    void show_title(double seconds);
+    void limit_rate(double frame_start_s) const;
+    bool mouse_look() const;
+
+    CommandRegistry& commands_;
+    Console& console_;
+    Overlay& overlay_;
+    platform::Window* window_;
+    const CvarRegistry& variables_;
+    Session session_;
+    HeldButtons buttons_;
+    Input input_;
+
+    std::unique_ptr<FlyThrough> flight_;
+    std::exception_ptr flight_error_;
+    Stopwatch clock_;
+    double last_frame_s_ = 0.0;
+    bool quitting_ = false;
+    bool captured_ = false;
+    bool fullscreen_ = false;
+    int title_frames_ = 0;
+    double title_s_ = 0.0;
+};
+
+/// The client's commands by what they are about; each file adds its own.
+void add_level_commands(Client& client);
+void add_view_commands(Client& client);
+void add_picture_commands(Client& client);
+void add_fly_command(Client& client);
+
+/// bind, unbind, unbindall, bindlist.
+void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings);
+
+} // namespace vigil::client

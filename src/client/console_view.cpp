@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Drawing the console with ImGui's draw lists.
+#include "client/console_view.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vigil::client {
+
+namespace {
+
+constexpr ImU32 sheet_top = IM_COL32(12, 14, 18, 235);
+constexpr ImU32 sheet_bottom = IM_COL32(24, 28, 34, 235);
+constexpr ImU32 edge_color = IM_COL32(230, 150, 50, 255);
+constexpr ImU32 info_color = IM_COL32(214, 214, 206, 255);
+constexpr ImU32 warning_color = IM_COL32(255, 205, 90, 255);
+constexpr ImU32 error_color = IM_COL32(255, 110, 95, 255);
+constexpr ImU32 typed_color = IM_COL32(140, 200, 255, 255);
+constexpr ImU32 dim_color = IM_COL32(150, 150, 145, 255);
+constexpr ImU32 chosen_color = IM_COL32(230, 150, 50, 90);
+constexpr ImU32 shadow_color = IM_COL32(0, 0, 0, 220);
+
+constexpr int most_suggestions = 12;
+constexpr size_t most_notices = 5;
+
+ImU32 color_of(const Console::Line& line) {
+    switch (line.severity) {
+    case Severity::Warning:
+        return warning_color;
+    case Severity::Error:
+        return error_color;
+    case Severity::Info:
+        break;
+    }
+    return line.text.starts_with(']') ? typed_color : info_color;
+}
+
+/// A pen that draws text of one size on the screen.
+class Pen {
+public:
+    explicit Pen(ImFont& font)
+        : font_(font), list_(*ImGui::GetForegroundDrawList()), size_(font.FontSize) {}
+
+    float line_height() const { return std::ceil(size_ * 1.15f); }
+
+    ImVec2 measure(std::string_view text, float wrap_width = 0.0f) const {
+        return font_.CalcTextSizeA(size_, 1e9f, wrap_width, text.data(), text.data() + text.size());
+    }
+
+    /// Rows that the text takes when it breaks at `wrap_width`.
+    int rows(std::string_view text, float wrap_width) const {
+        if (text.empty()) return 1;
+        return std::max(1, static_cast<int>(std::lround(measure(text, wrap_width).y / size_)));
+    }
+
+    void text(ImVec2 at, ImU32 color, std::string_view text, float wrap_width = 0.0f) const {
+        if (text.empty()) return;
+        list_.AddText(&font_, size_, at, color, text.data(), text.data() + text.size(), wrap_width);
+    }
+
+    void shadowed(ImVec2 at, ImU32 color, std::string_view string, float wrap_width) const {
+        text({at.x + 1.0f, at.y + 1.0f}, shadow_color, string, wrap_width);
+        text(at, color, string, wrap_width);
+    }
+
+    ImDrawList& list() const { return list_; }
+    float size() const { return size_; }
+
+private:
+    ImFont& font_;
+    ImDrawList& list_;
+    float size_;
+};
+
+/// The scroll-back, from `bottom` upwards.
+void draw_lines(const Console& console, const Pen& pen, float left, float width, float bottom) {
+    const auto& lines = console.lines();
+    float y = bottom;
+    if (console.scrolled() > 0) {
+        y -= pen.line_height();
+        pen.text({left, y}, edge_color, "^   ^   ^   (newer lines below; PgDn)");
+    }
+    for (size_t i = lines.size() - std::min(console.scrolled(), lines.size());
+         i-- > 0 && y > 0.0f;) {
+        const Console::Line& line = lines[i];
+        y -= pen.line_height() + static_cast<float>(pen.rows(line.text, width) - 1) * pen.size();
+        pen.text({left, y}, color_of(line), line.text, width);
+    }
+}
+
+/// The line being typed. Long lines slide to the left so that the cursor stays in view.
+void draw_input(const Console& console, const Pen& pen, ImVec2 at, float width, double time_s) {
+    const std::string& text = console.input().text();
+    const std::string_view before = std::string_view(text).substr(0, console.input().cursor());
+    const float prompt = pen.measure("] ").x;
+    const float cursor = pen.measure(before).x;
+    const float slide = std::max(0.0f, cursor + prompt + pen.size() - width);
+
+    ImDrawList& list = pen.list();
+    list.PushClipRect(at, {at.x + width, at.y + pen.line_height()}, true);
+    pen.text(at, edge_color, "]");
+    list.PushClipRect({at.x + prompt, at.y}, {at.x + width, at.y + pen.line_height()}, true);
+    const float x = at.x + prompt - slide;
+    pen.text({x, at.y}, info_color, text);
+    if (std::fmod(time_s, 1.0) < 0.6) {
+        const float thick = std::max(1.0f, std::floor(pen.size() / 10.0f));
+        list.AddRectFilled({x + cursor, at.y}, {x + cursor + thick, at.y + pen.size()}, info_color);
+    }
+    list.PopClipRect();
+    list.PopClipRect();
+}
+
+/// A box under the console with candidates; the range shown follows the chosen one.
+void draw_suggestions(const Console& console, const Pen& pen, float left, float top) {
+    const auto& all = console.suggestions();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const int room = static_cast<int>((screen.y - top) / pen.line_height()) - 1;
+    const int count = std::min({static_cast<int>(all.size()), most_suggestions, room});
+    if (count <= 0) return;
+    const int chosen = console.chosen_suggestion();
+    const int first = std::clamp(chosen - count / 2, 0, static_cast<int>(all.size()) - count);
+
+    const float pad = pen.size() * 0.5f;
+    float word_width = 0.0f;
+    for (int i = first; i < first + count; ++i) {
+        word_width = std::max(word_width, pen.measure(all[static_cast<size_t>(i)].word).x);
+    }
+    float width = word_width;
+    for (int i = first; i < first + count; ++i) {
+        const float about = pen.measure(all[static_cast<size_t>(i)].about).x;
+        if (about > 0.0f) width = std::max(width, word_width + 2.0f * pad + about);
+    }
+    const bool more = count < static_cast<int>(all.size());
+    const int rows = count + (more ? 1 : 0);
+    const ImVec2 low{left, top};
+    const ImVec2 high{std::min(left + width + 2.0f * pad, screen.x - left),
+                      top + static_cast<float>(rows) * pen.line_height() + pad};
+
+    ImDrawList& list = pen.list();
+    list.AddRectFilled(low, high, IM_COL32(12, 14, 18, 245));
+    list.AddRect(low, high, IM_COL32(90, 80, 60, 255));
+    list.PushClipRect(low, high, true);
+    float y = top + pad * 0.5f;
+    for (int i = first; i < first + count; ++i) {
+        const Suggestion& suggestion = all[static_cast<size_t>(i)];
+        if (i == chosen) {
+            list.AddRectFilled({low.x, y}, {high.x, y + pen.line_height()}, chosen_color);
+        }
+        pen.text({low.x + pad, y}, info_color, suggestion.word);
+        pen.text({low.x + word_width + 3.0f * pad, y}, dim_color, suggestion.about);
+        y += pen.line_height();
+    }
+    if (more) pen.text({low.x + pad, y}, dim_color, fmt::format("{} in all", all.size()));
+    list.PopClipRect();
+}
+
+} // namespace
+
+void draw_console(const Console& console, ImFont& font, float drop, double time_s) {
+    const Pen pen(font);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float bottom = std::floor(screen.y * drop);
+    const float pad = std::floor(pen.size() * 0.5f);
+    const float width = screen.x - 2.0f * pad;
+
+    ImDrawList& list = pen.list();
+    list.AddRectFilledMultiColor({0.0f, 0.0f}, {screen.x, bottom}, sheet_top, sheet_top,
+                                 sheet_bottom, sheet_bottom);
+    list.AddRectFilled({0.0f, bottom - 2.0f}, {screen.x, bottom}, edge_color);
+
+    const float input_y = bottom - 2.0f - pad - pen.line_height();
+    list.PushClipRect({0.0f, 0.0f}, {screen.x, std::max(0.0f, input_y)}, true);
+    draw_lines(console, pen, pad, width, input_y - pad * 0.5f);
+    list.PopClipRect();
+    draw_input(console, pen, {pad, input_y}, width, time_s);
+    if (console.is_open()) draw_suggestions(console, pen, pad, bottom + pad * 0.5f);
+}
+
+bool has_notices(const Console& console, double time_s, double notify_s) {
+    const auto& lines = console.lines();
+    return !lines.empty() && time_s - lines.back().time_s < notify_s;
+}
+
+void draw_notices(const Console& console, ImFont& font, double time_s, double notify_s) {
+    const Pen pen(font);
+    const auto& lines = console.lines();
+    const float pad = std::floor(pen.size() * 0.5f);
+    const float width = ImGui::GetIO().DisplaySize.x - 2.0f * pad;
+    float y = pad;
+    for (size_t i = lines.size() - std::min(most_notices, lines.size()); i < lines.size(); ++i) {
+        const Console::Line& line = lines[i];
+        if (time_s - line.time_s >= notify_s) continue;
+        pen.shadowed({pad, y}, color_of(line), line.text, width);
+        y += pen.line_height() + static_cast<float>(pen.rows(line.text, width) - 1) * pen.size();
+    }
+}
+
+} // namespace vigil::client

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Flying along a route, its pictures and its report.
+#include "client/fly_through.h"
+
+#include "client/picture_file.h"
+#include "common/log.h"
+#include "common/output.h"
+#include "common/stopwatch.h"
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace vigil::client {
+
+FlyThrough::FlyThrough(Route route, FlightPlan plan)
+    : route_(std::move(route)), plan_(std::move(plan)),
+      frame_count_(route_.frame_count(plan_.fps)) {}
+
+void FlyThrough::begin_frame(Session& session) {
+    const Route::Key view = route_.at(frame_ / plan_.fps);
+    session.camera().set(view.origin, view.angles);
+    if (frame_ > 0) session.advance(1.0 / plan_.fps);
+}
+
+void FlyThrough::end_frame(Session& session, double seconds) {
+    Stopwatch watch;
+    FrameTimes times;
+    times.passes = session.renderer().pass_times();
+    statistics_.add_frame(times.passes);
+
+    // Waiting for the picture is rendering time; encoding and writing it is not.
+    if (!plan_.prefix.empty() && frame_ % plan_.every == 0) {
+        const refresh::Picture picture = session.renderer().read_picture(false);
+        times.seconds = seconds + watch.seconds();
+        write_png(output_path(fmt::format("{}_{:03}.png", plan_.prefix, pictures_)), picture);
+        ++pictures_;
+    } else {
+        times.seconds = seconds + watch.seconds();
+    }
+    seconds_ += times.seconds;
+    times_.push_back(std::move(times));
+    ++frame_;
+}
+
+void FlyThrough::report(Session& session, const CvarRegistry& variables) const {
+    log_info("{} frames, {:.1f} seconds: {:.1f} fps", frame_count_, seconds_,
+             frame_count_ / seconds_);
+    log_info("{}", statistics_.table());
+    if (pictures_ > 0) log_info("{} pictures: {}", pictures_, output_path(plan_.prefix).string());
+    if (plan_.json.empty()) return;
+    const std::filesystem::path path = output_path(plan_.json);
+    write_file(path, json_text(session, session.renderer().describe_device(), variables));
+    log_info("report: {}", path.string());
+}
+
+std::string FlyThrough::json_text(const Session& session, const std::string& device,
+                                  const CvarRegistry& variables) const {
+    using nlohmann::ordered_json;
+    ordered_json report;
+    report["level"] = session.level() != nullptr ? session.level()->name : "";
+    report["route"] = plan_.name;
+    report["route_fps"] = plan_.fps;
+    report["device"] = device;
+    report["width"] = plan_.size.x;
+    report["height"] = plan_.size.y;
+    report["frame_count"] = frame_count_;
+    report["seconds"] = seconds_;
+    report["fps"] = frame_count_ / seconds_;
+
+    ordered_json settings = ordered_json::object();
+    for (const CvarInfo& info : cvar_infos) {
+        const std::string value = cvar_text(info, variables.values());
+        if (value != cvar_default_text(info)) settings[std::string(info.name)] = value;
+    }
+    report["variables"] = settings;
+
+    report["passes"] = ordered_json::array();
+    for (const PassSummary& pass : statistics_.summarize()) {
+        report["passes"].push_back({{"name", pass.name},
+                                    {"frames", pass.frames},
+                                    {"min_ms", pass.minimum},
+                                    {"median_ms", pass.median},
+                                    {"mean_ms", pass.mean},
+                                    {"p99_ms", pass.p99},
+                                    {"share", pass.share}});
+    }
+    report["frames"] = ordered_json::array();
+    for (const FrameTimes& times : times_) {
+        ordered_json frame;
+        frame["ms"] = times.seconds * 1e3;
+        frame["passes_ms"] = ordered_json::object();
+        for (const refresh::PassTime& pass : times.passes) {
+            frame["passes_ms"][pass.name] = pass.milliseconds;
+        }
+        report["frames"].push_back(std::move(frame));
+    }
+    // Folder names may hold bytes that are no UTF-8.
+    return report.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+} // namespace vigil::client

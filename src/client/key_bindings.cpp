@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Key bindings and the keys a new player finds.
+#include "client/key_bindings.h"
+
+#include "common/command_text.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace vigil::client {
+
+using platform::Key;
+using platform::key_count;
+using platform::key_name;
+
+namespace {
+
+/// They are built in because the folder the levels come from may be anyone's (a Quake II
+/// installation binds its keys to commands of its game).
+constexpr std::pair<Key, std::string_view> defaults[] = {
+    {Key::W, "+forward"},
+    {Key::S, "+back"},
+    {Key::A, "+moveleft"},
+    {Key::D, "+moveright"},
+    {Key::Space, "+moveup"},
+    {Key::E, "+moveup"},
+    {Key::Ctrl, "+movedown"},
+    {Key::Q, "+movedown"},
+    {Key::C, "+movedown"},
+    {Key::Shift, "+speed"},
+    {Key::Up, "+forward"},
+    {Key::Down, "+back"},
+    {Key::Left, "+left"},
+    {Key::Right, "+right"},
+    {Key::PageUp, "+lookup"},
+    {Key::PageDown, "+lookdown"},
+    {Key::WheelUp, "flyfaster"},
+    {Key::WheelDown, "flyslower"},
+    {Key::F1, "toggleconsole"},
+    {Key::F2, "viewpos"},
+    {Key::F3, "scene"},
+    {Key::F4, "passes"},
+    {Key::F11, "toggle vid_fullscreen"},
+    {Key::F12, "screenshot"},
+};
+
+size_t index_of(Key key) {
+    return static_cast<size_t>(key);
+}
+
+std::string release_text(std::string_view held, Key key) {
+    return fmt::format("-{} {}", held.substr(1), quote_word(key_name(key)));
+}
+
+} // namespace
+
+KeyBindings::KeyBindings() {
+    for (const auto& [key, command] : defaults)
+        at(key) = command;
+}
+
+std::string& KeyBindings::at(Key key) {
+    return commands_.at(index_of(key));
+}
+
+void KeyBindings::bind(Key key, std::string_view command) {
+    at(key) = command;
+}
+
+void KeyBindings::unbind_all() {
+    commands_.fill({});
+}
+
+const std::string& KeyBindings::command(Key key) const {
+    return commands_.at(index_of(key));
+}
+
+std::string KeyBindings::press(Key key) {
+    const std::string& command = at(key);
+    if (!command.starts_with('+')) return command;
+    held_.at(index_of(key)) = command;
+    return fmt::format("{} {}", command, quote_word(key_name(key)));
+}
+
+std::string KeyBindings::release(Key key) {
+    const std::string held = std::exchange(held_.at(index_of(key)), {});
+    return held.empty() ? std::string() : release_text(held, key);
+}
+
+std::string KeyBindings::release_all() {
+    std::string text;
+    for (int i = 0; i < key_count; ++i) {
+        const std::string line = release(static_cast<Key>(i));
+        if (!line.empty()) text += line + "\n";
+    }
+    return text;
+}
+
+std::string KeyBindings::list_text() const {
+    std::string text;
+    for (int i = 0; i < key_count; ++i) {
+        const Key key = static_cast<Key>(i);
+        if (command(key).empty()) continue;
+        text += fmt::format("bind {} \"{}\"\n", quote_word(key_name(key)), command(key));
+    }
+    return text;
+}
+
+std::string KeyBindings::archive_text() const {
+    const KeyBindings untouched;
+    std::string text;
+    for (int i = 0; i < key_count; ++i) {
+        const Key key = static_cast<Key>(i);
+        if (command(key) == untouched.command(key)) continue;
+        text += command(key).empty()
+                    ? fmt::format("unbind {}\n", quote_word(key_name(key)))
+                    : fmt::format("bind {} \"{}\"\n", quote_word(key_name(key)), command(key));
+    }
+    return text;
+}
+
+} // namespace vigil::client

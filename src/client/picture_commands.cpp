@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Console commands that write what is seen: screenshot, screenshot_hdr, exportscene, and fly. Names
+// are relative to `outdir`; a missing extension is added.
+#include "client/arguments.h"
+#include "client/client.h"
+#include "client/picture_file.h"
+#include "common/ascii_case.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "common/output.h"
+
+namespace vigil::client {
+
+namespace {
+
+constexpr int most_numbered = 10000;
+constexpr std::string_view route_folder = "routes/";
+constexpr std::string_view route_extension = ".route";
+
+std::filesystem::path path_of(std::string_view name, std::string_view extension) {
+    if (ends_nocase(name, extension)) return output_path(name);
+    return output_path(fmt::format("{}{}", name, extension));
+}
+
+/// The first of vigil0000.png, vigil0001.png, ... that is free.
+std::filesystem::path numbered_path() {
+    for (int i = 0; i < most_numbered; ++i) {
+        std::filesystem::path path = output_path(fmt::format("vigil{:04}.png", i));
+        if (!std::filesystem::exists(path)) return path;
+    }
+    fail("all names vigil0000.png to vigil{}.png are taken; give a name", most_numbered - 1);
+}
+
+Session& current_picture(Client& client) {
+    Session& session = client.session();
+    if (session.level() == nullptr) fail("there is no picture before a level is loaded");
+    // The last frame shows the view before `setviewpos`, `map`, ... of the same script.
+    session.render_if_stale();
+    return session;
+}
+
+void screenshot(Client& client, CommandArguments arguments) {
+    check_count(arguments, 0, 1, "screenshot [NAME]");
+    const std::filesystem::path path =
+        arguments.empty() ? numbered_path() : path_of(arguments[0], ".png");
+    const refresh::Picture picture = current_picture(client).renderer().read_picture(false);
+    write_png(path, picture);
+    log_info("wrote {} ({} x {})", path.string(), picture.width, picture.height);
+}
+
+void screenshot_hdr(Client& client, CommandArguments arguments) {
+    check_count(arguments, 1, 1, "screenshot_hdr NAME");
+    const std::filesystem::path path = path_of(arguments[0], ".exr");
+    const refresh::RadiancePicture picture = current_picture(client).renderer().read_radiance();
+    write_exr(path, picture);
+    log_info("wrote {} ({} x {}, {} frames)", path.string(), picture.width, picture.height,
+             picture.frames);
+}
+
+void export_scene(Client& client, CommandArguments arguments) {
+    check_count(arguments, 1, 1, "exportscene NAME.gltf");
+    Session& session = client.session();
+    if (session.level() == nullptr) fail("there is no scene before a level is loaded");
+    const std::filesystem::path path = path_of(arguments[0], ".gltf");
+    session.renderer().export_scene(session.frame(), path.string());
+    log_info("wrote {}", path.string());
+}
+
+std::string_view route_name(std::string_view path) {
+    if (starts_nocase(path, route_folder)) path.remove_prefix(route_folder.size());
+    if (ends_nocase(path, route_extension)) path.remove_suffix(route_extension.size());
+    return path;
+}
+
+std::vector<std::string> list_routes(const FileSystem& files) {
+    std::vector<std::string> names;
+    for (const std::string& path : files.list(route_folder, route_extension)) {
+        names.emplace_back(route_name(path));
+    }
+    return names;
+}
+
+void fly(Client& client, CommandArguments arguments) {
+    constexpr std::string_view usage = "fly ROUTE [FPS] [PREFIX EVERY]";
+    check_count(arguments, 1, 4, usage);
+    if (arguments.size() == 3) fail("usage: {}", usage);
+    if (client.session().level() == nullptr) fail("no level is loaded; `map NAME` loads one");
+
+    FlightPlan plan;
+    plan.name = route_name(arguments[0]);
+    if (arguments.size() > 1) {
+        plan.fps = number_at(arguments, 1, "FPS");
+        if (!(plan.fps >= 0.01 && plan.fps <= 10000.0)) fail("FPS must be from 0.01 to 10000");
+    }
+    if (arguments.size() == 4) {
+        plan.prefix = arguments[2];
+        plan.every = integer_at(arguments, 3, "EVERY", 1, 1'000'000);
+    }
+    plan.json = client.commands().variables()->timedemo_json;
+    plan.size = client.picture_size();
+
+    const FileSystem& files = client.session().files();
+    const std::string path = fmt::format("{}{}{}", route_folder, plan.name, route_extension);
+    if (!files.exists(path)) {
+        const std::vector<std::string> names = list_routes(files);
+        fail("there is no route {} (there are: {})", path, fmt::join(names, ", "));
+    }
+    client.start_flight(Route::parse(path, files.read_text(path)), std::move(plan));
+    client.commands().pause_script_until([&client] { return client.flight_done(); });
+}
+
+} // namespace
+
+void add_picture_commands(Client& client) {
+    CommandRegistry& commands = client.commands();
+    commands.add("screenshot", "[NAME]: writes the picture as PNG",
+                 [&client](CommandArguments arguments) { screenshot(client, arguments); });
+    commands.add("screenshot_hdr", "NAME: writes linear radiance as EXR",
+                 [&client](CommandArguments arguments) { screenshot_hdr(client, arguments); });
+    commands.add("exportscene", "NAME.gltf: writes the level with this camera as glTF 2.0",
+                 [&client](CommandArguments arguments) { export_scene(client, arguments); });
+}
+
+void add_fly_command(Client& client) {
+    client.commands().add(
+        "fly",
+        "ROUTE [FPS] [PREFIX EVERY]: flies the camera along routes/ROUTE.route, FPS frames per "
+        "second "
+        "of the route, every EVERY-th as PREFIX_000.png ...; then prints the times",
+        [&client](CommandArguments arguments) { fly(client, arguments); },
+        [&client](CommandArguments arguments) {
+            return arguments.empty() ? list_routes(client.session().files())
+                                     : std::vector<std::string>();
+        });
+}
+
+} // namespace vigil::client

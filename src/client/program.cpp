@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Starting and ending the program.
+#include "client/program.h"
+
+#include "client/client.h"
+#include "common/builtin_commands.h"
+#include "common/command_line.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "common/output.h"
+#include "common/terminal_log.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+namespace vigil::client {
+
+namespace {
+
+constexpr std::string_view version = "Vigil 0.1";
+constexpr std::string_view config_name = "config.cfg";
+constexpr std::string_view autoexec_name = "autoexec.cfg";
+constexpr std::string_view history_name = "console_history";
+
+/// Listens to the log while it lives.
+class TerminalLog {
+public:
+    TerminalLog() : sink_(add_log_sink(terminal_log_sink())) {}
+    ~TerminalLog() { remove_log_sink(sink_); }
+    TerminalLog(const TerminalLog&) = delete;
+    TerminalLog& operator=(const TerminalLog&) = delete;
+
+private:
+    int sink_;
+};
+
+std::string file_text(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) fail("{}: cannot be read", path.string());
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// `exec NAME`: a file of the user's configuration folder, else of the game.
+ScriptReader script_reader(const FileSystem& files) {
+    return [&files](std::string_view name) {
+        const std::filesystem::path own = config_dir() / std::filesystem::path(name).filename();
+        if (name.find('/') == std::string_view::npos && std::filesystem::exists(own)) {
+            return file_text(own);
+        }
+        return files.read_text(name);
+    };
+}
+
+/// What the player changed, kept for the next time. A failure here is a warning: the game is over.
+void save_configuration(const CvarRegistry& variables, const KeyBindings& bindings,
+                        const CommandHistory& history) {
+    try {
+        write_file(config_dir() / config_name, "// Written by Vigil when it ends.\n" +
+                                                   variables.archive_text() +
+                                                   bindings.archive_text());
+        history.save(cache_dir() / history_name);
+    } catch (const Error& error) {
+        log_warning("the configuration is not kept: {}", error.what());
+    }
+}
+
+void load_configuration(CommandRegistry& commands, CommandHistory& history) {
+    try {
+        history.load(cache_dir() / history_name);
+        const std::filesystem::path path = config_dir() / config_name;
+        if (std::filesystem::exists(path)) commands.execute_text(file_text(path), path.string());
+    } catch (const Error& error) {
+        log_warning("the configuration is not read: {}", error.what());
+    }
+}
+
+std::unique_ptr<platform::Window> make_window(const CvarRegistry& variables) {
+    platform::WindowOptions options;
+    options.width = variables->vid_width;
+    options.height = variables->vid_height;
+    options.fullscreen = variables->vid_fullscreen != 0;
+    return platform::open_window(variables.get_text("vid_driver"), options);
+}
+
+int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
+    CvarRegistry& variables = cvars();
+    apply_early_sets(line, variables);
+    FileSystem files;
+    files.mount_game(find_basedir(variables->basedir), variables->game);
+
+    CommandRegistry commands(variables);
+    KeyBindings bindings;
+    add_builtin_commands(commands, script_reader(files));
+    add_binding_commands(commands, bindings);
+
+    // The clipboard belongs to the window, which opens once the configuration is known.
+    std::unique_ptr<platform::Window> window;
+    Console console(commands, {[&window] { return window ? window->clipboard() : std::string(); },
+                               [&window](const std::string& text) {
+                                   if (window) window->set_clipboard(text);
+                               }});
+
+    const bool may_open_window = platform::wants_window(variables.get_text("vid_driver"));
+    if (may_open_window) {
+        load_configuration(commands, console.history());
+        apply_early_sets(line, variables);
+        window = make_window(variables);
+    }
+    Overlay overlay;
+    const std::unique_ptr<refresh::Renderer> renderer = make_renderer(files, window.get());
+    log_info("{}", renderer->describe_device());
+
+    Client client({files, commands, bindings, console, overlay, *renderer, window.get()});
+    if (files.exists(autoexec_name)) {
+        commands.execute_text(files.read_text(autoexec_name), autoexec_name);
+        apply_early_sets(line, variables);
+    }
+    const int failures_before = commands.failures();
+    commands.execute_words(line.commands);
+    if (client.headless() && line.commands.empty()) {
+        log_info("there is no window and nothing to do; give commands, for example "
+                 "+map warehouse +wait 4 +screenshot");
+    }
+    client.run();
+    if (!client.headless()) {
+        save_configuration(variables, bindings, console.history());
+        return 0;
+    }
+    return commands.failures() > failures_before ? 1 : 0;
+}
+
+} // namespace
+
+int run_program(std::span<const char* const> words, const MakeRenderer& make_renderer) {
+    const TerminalLog terminal;
+    try {
+        const CommandLine line = parse_command_line(words);
+        if (line.help) {
+            fmt::print("{}", command_line_help());
+            return 0;
+        }
+        if (line.version) {
+            fmt::print("{}\n", version);
+            return 0;
+        }
+        return run_commands(line, make_renderer);
+    } catch (const std::exception& error) {
+        log_error("{}", error.what());
+        return 1;
+    }
+}
+
+} // namespace vigil::client

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Keeping the scene and rendering it.
+#include "client/session.h"
+
+#include "common/log.h"
+#include "common/stopwatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vigil::client {
+
+namespace {
+
+/// Variables that a picture depends on; the others (paths, mouse, frame rate) leave it as it is.
+bool shows_in_picture(std::string_view name) {
+    return name.starts_with("pt_") || name == "fov" || name == "vid_width" || name == "vid_height";
+}
+
+} // namespace
+
+Session::Session(const FileSystem& files, refresh::Renderer& renderer,
+                 const CvarRegistry& variables)
+    : files_(files), renderer_(renderer), variables_(variables) {}
+
+void Session::load_map(std::string_view name) {
+    const Stopwatch watch;
+    std::shared_ptr<const Level> level = vigil::load_level(files_, name);
+    renderer_.load_level(level);
+    level_ = std::move(level);
+
+    const Bsp& bsp = level_->bsp;
+    entities_ = LevelEntities(
+        bsp, [this](std::string_view model) { return renderer_.register_model(model); });
+    styles_ = LightStyles(bsp.entities);
+    dynamic_lights_.clear();
+    const StartPlace start = find_start(bsp);
+    camera_.set(start.origin, start.angles);
+    time_s_ = 0.0;
+    statistics_.clear();
+    ++scene_changes_;
+    log_info("{}: {} faces, {} clusters, {} models placed; loaded in {:.2f} s", level_->name,
+             bsp.faces.size(), bsp.cluster_count, entities_.entities().size(), watch.seconds());
+}
+
+void Session::turn_entities(std::string_view target, const glm::vec3& angles) {
+    entities_.turn(target, angles);
+    ++scene_changes_;
+}
+
+void Session::set_light_styles(LightStyles styles) {
+    styles_ = std::move(styles);
+    ++scene_changes_;
+}
+
+void Session::set_dynamic_light(const refresh::DynamicLight& light) {
+    const auto found = std::ranges::find(dynamic_lights_, light.id, &refresh::DynamicLight::id);
+    if (found == dynamic_lights_.end()) {
+        dynamic_lights_.push_back(light);
+    } else {
+        *found = light;
+    }
+    ++scene_changes_;
+}
+
+void Session::clear_dynamic_lights() {
+    dynamic_lights_.clear();
+    ++scene_changes_;
+}
+
+void Session::advance(double seconds) {
+    if (variables_->pt_accumulate == 0) time_s_ += seconds;
+}
+
+refresh::Frame Session::frame() const {
+    refresh::Frame frame;
+    frame.view = {camera_.origin(), camera_.angles(), variables_->fov};
+    frame.time_s = time_s_;
+    frame.entities = entities_.entities();
+    frame.dynamic_lights = dynamic_lights_;
+    if (variables_->pt_light_styles != 0) {
+        frame.light_styles = styles_.values_at(time_s_);
+    } else {
+        frame.light_styles.fill(1.0f);
+    }
+    return frame;
+}
+
+Session::Shown Session::present() const {
+    Shown now{camera_.origin(), camera_.angles(), scene_changes_, 0};
+    for (const CvarInfo& info : cvar_infos) {
+        if (shows_in_picture(info.name)) now.variable_changes += variables_.changes(info.name);
+    }
+    return now;
+}
+
+void Session::render(ImDrawData* overlay) {
+    refresh::Frame now = frame();
+    now.overlay = overlay;
+    renderer_.render(now);
+    statistics_.add_frame(renderer_.pass_times());
+    shown_ = present();
+}
+
+void Session::render_if_stale() {
+    if (!shown_ || *shown_ != present()) render(nullptr);
+}
+
+} // namespace vigil::client

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is on the screen: the level, its entities, lights and time, and the camera in it. It fills
+// the renderer's Frame and keeps the times of its passes. It knows no window, console or keys.
+#pragma once
+
+#include "client/camera.h"
+#include "client/level_entities.h"
+#include "client/light_styles.h"
+#include "client/pass_statistics.h"
+#include "common/cvar.h"
+#include "common/file_system.h"
+#include "refresh/refresh.h"
+#include "world/level.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace vigil::client {
+
+class Session {
+public:
+    /// All three must outlive the session.
+    Session(const FileSystem& files, refresh::Renderer& renderer, const CvarRegistry& variables);
+
+    /// Loads a level and puts the camera at its start. Throws Error and then keeps the level
+    /// before.
+    void load_map(std::string_view name);
+    /// Null before the first level.
+    const Level* level() const { return level_.get(); }
+    const FileSystem& files() const { return files_; }
+    refresh::Renderer& renderer() { return renderer_; }
+
+    Camera& camera() { return camera_; }
+    const LevelEntities& entities() const { return entities_; }
+    void turn_entities(std::string_view target, const glm::vec3& angles);
+    const LightStyles& light_styles() const { return styles_; }
+    void set_light_styles(LightStyles styles);
+    /// Adds a dynamic light, or changes the one with the same id.
+    void set_dynamic_light(const refresh::DynamicLight& light);
+    void clear_dynamic_lights();
+
+    /// Lets time pass. It stands still while pt_accumulate averages frames.
+    void advance(double seconds);
+    double time_s() const { return time_s_; }
+
+    /// The frame as it would be rendered now; its spans are valid until the session changes.
+    refresh::Frame frame() const;
+    /// Renders it and records the times of the GPU passes. Throws Error when the device is lost.
+    void render(ImDrawData* overlay);
+    /// Renders once more if the picture does not show the present view, level or settings.
+    void render_if_stale();
+
+    PassStatistics& pass_statistics() { return statistics_; }
+
+private:
+    /// What a picture depends on, apart from the passing of time.
+    struct Shown {
+        glm::vec3 origin{0.0f};
+        glm::vec3 angles{0.0f};
+        uint64_t scene_changes = 0;
+        uint64_t variable_changes = 0;
+        bool operator==(const Shown&) const = default;
+    };
+    Shown present() const;
+
+    const FileSystem& files_;
+    refresh::Renderer& renderer_;
+    const CvarRegistry& variables_;
+
+    std::shared_ptr<const Level> level_;
+    LevelEntities entities_;
+    LightStyles styles_;
+    std::vector<refresh::DynamicLight> dynamic_lights_;
+    Camera camera_;
+    double time_s_ = 0.0;
+
+    uint64_t scene_changes_ = 0;
+    std::optional<Shown> shown_;
+    PassStatistics statistics_;
+};
+
+} // namespace vigil::client

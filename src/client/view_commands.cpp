@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Console commands about the view and the console itself: setviewpos, viewpos, noclip, flyspeed,
+// flyfaster, flyslower, toggleconsole, clear, and the key bindings.
+#include "client/arguments.h"
+#include "client/client.h"
+#include "common/error.h"
+#include "common/log.h"
+
+namespace vigil::client {
+
+namespace {
+
+constexpr float speed_step = 1.25f;
+
+void set_view(Client& client, CommandArguments arguments) {
+    if (arguments.size() != 3) {
+        check_count(arguments, 6, 6, "setviewpos x y z [pitch yaw roll]");
+    }
+    Camera& camera = client.session().camera();
+    const glm::vec3 origin = vector_at(arguments, 0, "the place");
+    const glm::vec3 angles =
+        arguments.size() == 6 ? vector_at(arguments, 3, "the direction") : camera.angles();
+    camera.set(origin, angles);
+}
+
+void change_speed(Client& client, float factor) {
+    Camera& camera = client.session().camera();
+    camera.set_speed(camera.speed() * factor);
+    log_info("flying at {:.0f} units per second", camera.speed());
+}
+
+platform::Key key_argument(const std::string& name) {
+    const std::optional<platform::Key> key = platform::key_from_name(name);
+    if (!key) fail("there is no key \"{}\"; keys are named like w, F5, UPARROW, MOUSE2", name);
+    return *key;
+}
+
+std::vector<std::string> key_candidates(CommandArguments arguments) {
+    if (!arguments.empty()) return {};
+    const std::vector<std::string_view> names = platform::key_names();
+    return {names.begin(), names.end()};
+}
+
+void bind(KeyBindings& bindings, CommandArguments arguments) {
+    if (arguments.empty()) fail("usage: bind KEY [COMMAND]");
+    const platform::Key key = key_argument(arguments[0]);
+    if (arguments.size() == 1) {
+        const std::string& command = bindings.command(key);
+        log_info("{} {}", arguments[0],
+                 command.empty() ? "is not bound" : fmt::format("runs \"{}\"", command));
+        return;
+    }
+    // Without quotes, the rest of the line is the command.
+    std::string command = arguments[1];
+    for (const std::string& word : arguments.subspan(2))
+        command += " " + word;
+    bindings.bind(key, command);
+}
+
+} // namespace
+
+void add_view_commands(Client& client) {
+    CommandRegistry& commands = client.commands();
+    commands.add("setviewpos", "x y z [pitch yaw roll]: puts the eye there; degrees, pitch down",
+                 [&client](CommandArguments arguments) { set_view(client, arguments); });
+    commands.add("viewpos", ": prints the command that brings the view back here",
+                 [&client](CommandArguments) {
+                     log_info("{}", client.session().camera().setviewpos_text());
+                 });
+    commands.add("noclip", ": accepted as in Quake; the camera always flies through walls",
+                 [](CommandArguments) {
+                     log_info("the camera always flies through walls; walking does not exist yet");
+                 });
+    commands.add("flyspeed", "[SPEED]: flying speed in map units per second",
+                 [&client](CommandArguments arguments) {
+                     check_count(arguments, 0, 1, "flyspeed [SPEED]");
+                     Camera& camera = client.session().camera();
+                     if (!arguments.empty()) {
+                         const float speed = number_at(arguments, 0, "the speed");
+                         camera.set_speed(speed);
+                         if (camera.speed() != speed) {
+                             log_warning("the flying speed is {:.0f} to {:.0f}", Camera::slowest,
+                                         Camera::fastest);
+                         }
+                     }
+                     log_info("flying at {:.0f} units per second", camera.speed());
+                 });
+    commands.add("flyfaster", ": flies a quarter faster",
+                 [&client](CommandArguments) { change_speed(client, speed_step); });
+    commands.add("flyslower", ": flies a quarter slower",
+                 [&client](CommandArguments) { change_speed(client, 1.0f / speed_step); });
+    commands.add("toggleconsole", ": opens or closes the console", [&client](CommandArguments) {
+        client.console().set_open(!client.console().is_open());
+    });
+    commands.add("clear", ": empties the console",
+                 [&client](CommandArguments) { client.console().clear_lines(); });
+}
+
+void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings) {
+    commands.add(
+        "bind", "KEY [COMMAND]: runs the command when the key is pressed, or shows what it runs",
+        [&bindings](CommandArguments arguments) { bind(bindings, arguments); }, key_candidates);
+    commands.add(
+        "unbind", "KEY: the key does nothing any more",
+        [&bindings](CommandArguments arguments) {
+            check_count(arguments, 1, 1, "unbind KEY");
+            bindings.bind(key_argument(arguments[0]), "");
+        },
+        key_candidates);
+    commands.add("unbindall", ": no key does anything any more",
+                 [&bindings](CommandArguments) { bindings.unbind_all(); });
+    commands.add("bindlist", ": lists the keys and what they run",
+                 [&bindings](CommandArguments) { log_info("{}", bindings.list_text()); });
+}
+
+} // namespace vigil::client

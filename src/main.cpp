@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The program `vigil`: the client with the Vulkan path tracer behind it.
+#include "client/program.h"
+
+int main(int argc, char** argv) {
+    const std::span<const char* const> words(argv, static_cast<size_t>(argc));
+    return vigil::client::run_program(words.subspan(argc > 0 ? 1 : 0),
+                                      vigil::refresh::make_vkpt_renderer);
+}
