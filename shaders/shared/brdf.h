@@ -71,11 +71,20 @@ SHADER_FN float brdf_cosine(vec3 normal, vec3 direction) {
     return min(dot(normal, direction), 1.0f);
 }
 
-/// Albedo of the base that the coat lets through before the factor (1 - (1 - n.l)^5) of the light
-/// direction: 21/20 (1 - f0) (1 - (1 - n.v)^5). Under a mirror coat the sum of both is exactly 1
-/// for a white base.
-SHADER_FN float diffuse_under_coat(float f0, float view_cosine) {
-    return 1.05f * (1.0f - f0) * (1.0f - schlick_weight(view_cosine));
+/// How strongly the coat's Fresnel term dims the base at grazing angles: fully under a mirror,
+/// hardly under a rough coat, whose own reflection does not grow there. Our fit to the least value
+/// that keeps the sum of both lobes at or below 1.
+SHADER_FN float coat_shading(float alpha) {
+    return 1.0f / (1.0f + 12.0f * alpha * alpha);
+}
+
+/// Factor on the base's Lambertian lobe under the coat, but for the same term of the light's
+/// direction, 1 - s (1 - n.l)^5: c (1 - f0) (1 - s (1 - n.v)^5), s = coat_shading. With c = 1 / (1
+/// - s / 21) a white base under a mirror coat reflects exactly what arrives; 0.6% less leaves room
+/// for rough coats.
+SHADER_FN float diffuse_under_coat(float f0, float shading, float view_cosine) {
+    float base = 0.994f / (1.0f - shading * (1.0f / 21.0f));
+    return base * (1.0f - f0) * (1.0f - shading * schlick_weight(view_cosine));
 }
 
 /// Chance that `brdf_sample` draws from the GGX lobe: its share of the reflected light, but at
@@ -115,7 +124,9 @@ SHADER_FN BrdfValue brdf_evaluate(Brdf brdf, vec3 normal, vec3 view, vec3 light)
         float fresnel = brdf.f0 + (1.0f - brdf.f0) * schlick_weight(dot(v, h));
         float specular = 0.5f * fresnel * distribution * nl / (nl * root_v + nv * root_l);
         float visible_normals = 0.5f * distribution / (nv + root_v);
-        float under = diffuse_under_coat(brdf.f0, nv) * (1.0f - schlick_weight(nl));
+        float shading = coat_shading(brdf.alpha);
+        float under =
+            diffuse_under_coat(brdf.f0, shading, nv) * (1.0f - shading * schlick_weight(nl));
         seen.value = seen.value * under + vec3(specular);
         seen.pdf = mix(seen.pdf, visible_normals, specular_probability(brdf, nv));
     }

@@ -184,7 +184,8 @@ SHADER_FN LtcSurface ltc_prepare_glossy(vec3 position, vec3 normal, vec3 view, B
     LtcSurface surface;
     surface.position = position;
     surface.normal = normal;
-    surface.diffuse = luminance(brdf.albedo) * (1.0f - brdf.f0) * (1.0f - schlick_weight(nv));
+    surface.diffuse =
+        luminance(brdf.albedo) * diffuse_under_coat(brdf.f0, coat_shading(brdf.alpha), nv);
     surface.specular = brdf.f0 * entry.albedo.x + entry.albedo.y;
     // The table holds the lobe of a view in the plane of +x and +z. Seen from above every tangent
     // will do.
