@@ -85,7 +85,8 @@ struct BspTexInfo {
     int32_t next = -1;   ///< next texinfo of an animation, -1: none; chains may be cyclic
 };
 
-/// A flat polygon with at least three edges.
+/// A flat polygon with at least three edges. Its area may be zero: compilers leave a few faces
+/// whose corners lie on a line.
 struct BspFace {
     uint32_t plane = 0;
     bool back_side = false;  ///< the face looks against its plane's normal

@@ -47,13 +47,20 @@ public:
             mesh_.materials.push_back(read_material(glb_.object("materials", i)));
         visited_.assign(glb_.count("nodes"), false);
         for (const uint64_t root : root_nodes())
-            read_tree(root);
+            collect_tree(root);
+        for (const Instance& instance : instances_)
+            read_primitive(*instance.primitive, instance.to_world);
         if (mesh_.primitives.empty()) glb_.bad("the scene holds no triangles");
         if (mesh_.materials.empty()) mesh_.materials.emplace_back();
         return std::move(mesh_);
     }
 
 private:
+    /// A primitive where a node places it.
+    struct Instance {
+        const json* primitive;
+        glm::mat4 to_world;
+    };
     struct PendingNode {
         uint64_t index;
         glm::mat4 parent_to_world;
@@ -113,7 +120,7 @@ private:
     }
 
     /// Depth-first without recursion; a node met twice is a loop or has two parents.
-    void read_tree(uint64_t root) {
+    void collect_tree(uint64_t root) {
         std::vector<PendingNode> stack{{root, glm::mat4(1.0f)}};
         while (!stack.empty()) {
             const PendingNode pending = stack.back();
@@ -124,7 +131,7 @@ private:
             const glm::mat4 to_world = pending.parent_to_world * local_transform(node);
             if (const uint64_t mesh = glb_.get_index(node, "mesh", none); mesh != none)
                 for (const json& primitive : glb_.array(glb_.object("meshes", mesh), "primitives"))
-                    read_primitive(primitive, to_world);
+                    collect(primitive, to_world);
             for (const uint64_t child : node_list(node, "children"))
                 stack.push_back({child, to_world});
         }
@@ -145,25 +152,36 @@ private:
         return transform;
     }
 
-    void count_elements(size_t count) {
-        elements_ += count;
-        if (elements_ > mesh_max_elements)
-            glb_.bad("more than {} vertices and indices", mesh_max_elements);
+    /// Counts an instance against the limit, before anything of it is read.
+    void collect(const json& primitive, const glm::mat4& to_world) {
+        if (!primitive.is_object()) glb_.bad("a mesh primitive is no object");
+        const json& attributes = glb_.child(primitive, "attributes");
+        const uint64_t positions = glb_.require_index(attributes, "POSITION");
+        claim(primitive_cost);
+        claim_accessor(positions);
+        claim_accessor(glb_.get_index(attributes, "NORMAL", none));
+        claim_accessor(glb_.get_index(attributes, "TEXCOORD_0", none));
+        claim_accessor(glb_.get_index(primitive, "indices", positions));
+        instances_.push_back({&primitive, to_world});
     }
 
-    /// The size of an accessor, counted against the limit before it is read.
-    void claim(uint64_t accessor) {
-        count_elements(glb_.require_index(glb_.object("accessors", accessor), "count"));
+    void claim(uint64_t count) {
+        if (count > mesh_max_elements - elements_)
+            glb_.bad("more than {} vertices and indices", mesh_max_elements);
+        elements_ += count;
+    }
+
+    void claim_accessor(uint64_t accessor) {
+        if (accessor != none)
+            claim(glb_.require_index(glb_.object("accessors", accessor), "count"));
     }
 
     void read_primitive(const json& source, const glm::mat4& to_world) {
-        if (!source.is_object()) glb_.bad("a mesh primitive is no object");
         if (const uint64_t mode = glb_.get_index(source, "mode", mode_triangles);
             mode != mode_triangles)
             glb_.bad("primitive mode {}, only triangles (4) are read", mode);
         if (glb_.child(source, "extensions").contains("KHR_draco_mesh_compression"))
             glb_.bad("Draco-compressed meshes are not read");
-        count_elements(primitive_cost);
         MeshPrimitive primitive;
         const json& attributes = glb_.child(source, "attributes");
         read_positions(primitive, glb_.require_index(attributes, "POSITION"), to_world);
@@ -177,7 +195,6 @@ private:
     }
 
     void read_positions(MeshPrimitive& primitive, uint64_t accessor, const glm::mat4& to_world) {
-        claim(accessor);
         for (const glm::vec4& position : glb_.read_vectors(accessor, 3)) {
             const glm::vec3 point(to_world * glm::vec4(glm::vec3(position), 1.0f));
             for (size_t axis = 0; axis < 3; ++axis)
@@ -188,7 +205,6 @@ private:
     }
 
     void read_normals(MeshPrimitive& primitive, uint64_t accessor, const glm::mat4& to_world) {
-        claim(accessor);
         // Cofactors: the inverse transpose up to a positive factor, defined for singular matrices.
         const glm::mat3 linear(to_world);
         const float sign = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
@@ -207,7 +223,6 @@ private:
     }
 
     void read_uvs(MeshPrimitive& primitive, uint64_t accessor) {
-        claim(accessor);
         for (const glm::vec4& uv : glb_.read_vectors(accessor, 2))
             primitive.uvs.emplace_back(uv.x, uv.y);
         if (primitive.uvs.size() != primitive.positions.size())
@@ -218,10 +233,8 @@ private:
     void read_indices(MeshPrimitive& primitive, uint64_t accessor, const glm::mat4& to_world) {
         const size_t vertices = primitive.positions.size();
         if (accessor != none) {
-            claim(accessor);
             primitive.indices = glb_.read_indices(accessor);
         } else {
-            count_elements(vertices);
             for (size_t i = 0; i < vertices; ++i)
                 primitive.indices.push_back(static_cast<uint32_t>(i));
         }
@@ -248,6 +261,7 @@ private:
 
     Glb glb_;
     Mesh mesh_;
+    std::vector<Instance> instances_;
     std::vector<bool> visited_;
     uint64_t elements_ = 0;
 };
