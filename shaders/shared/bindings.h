@@ -18,14 +18,18 @@
 #define BINDING_TEXTURES 7       // Texture[]: pathtrace/scene.glsl
 #define BINDING_TEXELS 8         // uint RGBA8[]: pathtrace/scene.glsl
 #define BINDING_LIGHTS 9         // Light[]: pathtrace/scene.glsl
-#define BINDING_BSP 10           // BspNode[]: pathtrace/cluster.glsl
+#define BINDING_BSP 10           // BspTreeNode[]: pathtrace/cluster.glsl
 #define BINDING_LTC 11           // LTC tables: light/ltc.glsl
-#define BINDING_SURFACES 12      // primary hits: pathtrace/surface.glsl
+#define BINDING_SURFACES 12      // PrimaryHit[]: pathtrace/frame.glsl
 #define BINDING_RADIANCE 13      // this frame's radiance: pathtrace/frame.glsl
 #define BINDING_ACCUMULATION 14  // running mean: post
 #define BINDING_EXPOSURE 15      // automatic exposure: post
-#define BINDING_COUNTERS 16      // counters read back by the host: pathtrace/frame.glsl
-#define BINDING_ACCELERATION_STRUCTURE 17 // only with ray query: trace/trace_query.glsl
-#define SCENE_BINDING_COUNT 18
+#define BINDING_COUNTERS 16      // FrameCounters, read back by the host: pathtrace/frame.glsl
+#define BINDING_DISPLAY 17       // finished picture, RGBA8: post
+#define BINDING_ACCELERATION_STRUCTURE 18 // only with ray query: trace/trace_query.glsl
+#define SCENE_BINDING_COUNT 19
+
+// Set 1 holds this many storage buffers; what they are is the technique's business (shaders/light/NAME.glsl).
+#define TECHNIQUE_BINDING_COUNT 6
 
 #endif

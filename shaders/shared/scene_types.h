@@ -53,22 +53,44 @@ SHADER_CONST uint MATERIAL_FLOWING = 8u;  // texture scrolls
 SHADER_CONST uint MATERIAL_GLOSSY = 16u;  // has a GGX lobe at the primary hit
 
 struct Material {
-    uint texture;      // index of the texture header
-    uint flags;        // MATERIAL_*
-    float roughness;   // GGX alpha = roughness^2, in [0.1, 1]
-    float specular;    // reflectance at normal incidence, in [0, 1]
-    vec3 radiance;     // emitted radiance, averaged over the texture (0 if not emissive)
-    vec3 texel_to_radiance; // linear texel times this is the textured look of the same mean
-    uint frame_count;  // animation: number of textures, `texture` .. `texture + frame_count - 1`
+    uint texture;          // index of the texture header of the first animation frame
+    uint frame_count;      // animation frames: `texture` .. `texture + frame_count - 1`
+    uint flags;            // MATERIAL_*
+    float roughness;       // GGX alpha = roughness^2
+    float specular;        // reflectance at normal incidence, in [0, 1]
+    vec3 inverse_mean;     // 1 / mean linear texel: an emissive texel times this has mean 1; 0: plain emission
 };
 
-/// Texels are RGBA8 sRGB, rows from the top, mip levels one after another in `texels`.
+/// A picture in the texel buffer: RGB9E5 (shared exponent, linear), rows from the top, mip levels one after
+/// another, each half the size before, rounded down, at least 1.
 struct Texture {
     uint first_texel;
     uint width;
     uint height;
     uint mip_count;
 };
+
+/// A node of the level's BSP, to find the PVS cluster of a point. A child >= 0 is a node; a child < 0 is a leaf of
+/// cluster -2 - child (-1: in no cluster).
+struct BspTreeNode {
+    vec3 normal;
+    float dist;
+    int front; // where dot(normal, p) >= dist
+    int back;
+};
+
+/// What a camera ray hit; written by the primary pass, read by the passes after it.
+struct PrimaryHit {
+    vec3 position;
+    vec3 normal;    // unit, of the side that was hit
+    vec3 albedo;    // linear
+    uint primitive; // NONE: nothing to light (sky, miss, the inside of a wall)
+    uint instance;
+    uint gloss;     // packHalf2x16(GGX alpha, reflectance at normal incidence)
+    uint flags;     // PRIMARY_HIT_*
+};
+
+SHADER_CONST uint PRIMARY_HIT_NONFINITE = 1u; // a path through this pixel gave a value that was not finite
 
 /// A triangle that emits `radiance` (uniform, Lambertian) from its front side, in world space this frame.
 /// Its index is its id and stays the same while the light exists; free ids have zero radiance.

@@ -23,6 +23,7 @@ public:
                               gpu::MemoryUse::Device, name_);
         return true;
     }
+    /// Records the copy, if there is something new.
     void upload(gpu::FrameCommands& commands) {
         commands.upload(buffer_, 0, pending_);
         pending_.clear();

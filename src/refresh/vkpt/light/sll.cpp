@@ -35,7 +35,6 @@ public:
             // A static light that is dark now may be switched on later: it is listed all the same.
             renewed |= static_.set(lister_.build(triangles_of(lights, 0, first_moving, true)));
             built_ = true;
-            dirty_ = true;
         }
         if (revision_ != lights.moving_revision()) {
             revision_ = lights.moving_revision();
@@ -47,17 +46,14 @@ public:
             const uint32_t counts[2] = {static_cast<uint32_t>(lists.ranges.size()),
                                         moving.empty() ? 0u : 1u};
             renewed |= counts_.set(std::as_bytes(std::span(counts)));
-            dirty_ = true;
         }
         return renewed;
     }
 
     void upload(gpu::FrameCommands& commands) override {
-        if (!dirty_) return;
         static_.upload(commands);
         moving_.upload(commands);
         counts_.upload(commands);
-        dirty_ = false;
     }
 
     Bindings bindings() const override {
@@ -85,7 +81,6 @@ private:
     GrowingBuffer counts_;
     uint64_t revision_ = 0;
     bool built_ = false;
-    bool dirty_ = false;
 };
 
 } // namespace

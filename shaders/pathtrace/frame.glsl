@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Set 0: the frame's parameters and per-pixel buffers, and the specialisation constants of the path tracer: a level pays
+// only for what it has.
+#ifndef VIGIL_PATHTRACE_FRAME_GLSL
+#define VIGIL_PATHTRACE_FRAME_GLSL
+
+#include "shared/bindings.h"
+#include "shared/frame_params.h"
+#include "shared/scene_types.h"
+
+// Constants 0 and 1 belong to trace/trace.glsl.
+layout(constant_id = 8) const bool HAS_SKY = true;
+layout(constant_id = 9) const bool HAS_SUN = true;
+layout(constant_id = 10) const bool HAS_GLOSS = true;
+layout(constant_id = 11) const bool HAS_LIQUID = true; // warping or flowing textures
+layout(constant_id = 12) const bool HAS_ANIMATION = true; // animated textures
+layout(constant_id = 13) const bool HAS_LIGHTS = true;
+
+layout(set = SET_SCENE, binding = BINDING_FRAME, scalar) uniform FrameBlock { FrameParams frame; };
+
+layout(set = SET_SCENE, binding = BINDING_SURFACES, scalar) restrict buffer PrimaryHitBlock {
+    PrimaryHit primary_hits[];
+};
+// Sum over this frame's paths; divided by pt_spp when it is accumulated.
+layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer RadianceBlock {
+    vec3 radiance[];
+};
+
+layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
+
+/// Which of the frame's pt_spp paths per pixel this dispatch traces.
+layout(push_constant, scalar) uniform PushBlock { uint path_index; uint path_count; };
+
+#endif

@@ -1,0 +1,43 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `primary`: one camera ray per pixel. Writes what it hit, and starts the pixel's radiance with what can be seen
+// directly: sky, sun and lamps.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "pathtrace/path.glsl"
+#include "pathtrace/sky.glsl"
+
+void main() {
+    uvec2 pixel;
+    uint index;
+    if (!pixel_of_invocation(pixel, index)) return;
+    Random random = path_random(pixel, STREAM_PRIMARY);
+    const vec2 inside = frame.jitter != 0u ? random_next2(random) : vec2(0.5);
+    const vec2 screen = (vec2(pixel) + inside) / vec2(frame.size) * 2.0 - 1.0;
+
+    Ray ray;
+    ray.origin = frame.camera_origin;
+    ray.direction = normalize(frame.camera_forward + screen.x * frame.camera_right - screen.y * frame.camera_up);
+    ray.t_min = 0.0;
+    ray.t_max = 1e30;
+
+    PrimaryHit stored;
+    stored.primitive = NONE;
+    stored.flags = 0u;
+    vec3 emission = vec3(0.0);
+    Hit hit;
+    if (trace_closest(ray, random_next_words(random).x, hit)) {
+        const Vertex vertex = describe_hit(ray, hit, frame.pixel_angle, true);
+        emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
+        if (vertex.lit) {
+            stored.position = vertex.surface.position;
+            stored.normal = vertex.surface.normal;
+            stored.albedo = vertex.surface.brdf.albedo;
+            stored.primitive = vertex.surface.primitive;
+            stored.instance = vertex.surface.instance;
+            stored.gloss = packHalf2x16(vec2(vertex.surface.brdf.alpha, vertex.surface.brdf.f0));
+        }
+    }
+    primary_hits[index] = stored;
+    add_radiance(index, emission, path_index == 0u);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Set 0: what a hit is made of. Declares the scene's buffers and turns them into texels; nothing here traces rays.
+#ifndef VIGIL_PATHTRACE_SCENE_GLSL
+#define VIGIL_PATHTRACE_SCENE_GLSL
+
+#include "pathtrace/frame.glsl"
+
+layout(set = SET_SCENE, binding = BINDING_INSTANCES, scalar) restrict readonly buffer InstanceBlock {
+    Instance instances[];
+};
+layout(set = SET_SCENE, binding = BINDING_PRIMITIVES, scalar) restrict readonly buffer PrimitiveBlock {
+    Primitive primitives[];
+};
+layout(set = SET_SCENE, binding = BINDING_MATERIALS, scalar) restrict readonly buffer MaterialBlock {
+    Material materials[];
+};
+layout(set = SET_SCENE, binding = BINDING_TEXTURES, scalar) restrict readonly buffer TextureBlock {
+    Texture textures[];
+};
+layout(set = SET_SCENE, binding = BINDING_TEXELS, scalar) restrict readonly buffer TexelBlock {
+    uint texels[];
+};
+layout(set = SET_SCENE, binding = BINDING_LIGHTS, scalar) restrict readonly buffer LightBlock {
+    Light lights[];
+};
+
+/// RGB9E5 to linear RGB.
+vec3 decode_texel(uint texel) {
+    // 2^(e - 24), built from its bits; e = 0 is a denormal step below and stands for exact black here.
+    const float scale = uintBitsToFloat(((texel >> 27) + 103u) << 23);
+    return vec3(texel & 511u, (texel >> 9) & 511u, (texel >> 18) & 511u) * scale;
+}
+
+vec3 fetch_texel(Texture header, uint level, ivec2 position) {
+    uint width = header.width;
+    uint height = header.height;
+    uint first = header.first_texel;
+    for (uint i = 0u; i < level; ++i) {
+        first += width * height;
+        width = max(width >> 1, 1u);
+        height = max(height >> 1, 1u);
+    }
+    return decode_texel(texels[first + uint(position.y) * width + uint(position.x)]);
+}
+
+ivec2 wrap_texel(ivec2 position, ivec2 size) {
+    const ivec2 rest = position % size; // sign of the dividend where it is negative: mended next
+    return rest + size * ivec2(lessThan(rest, ivec2(0)));
+}
+
+/// Repeating texture at `uv` (in repeats); `footprint` is the width of the area looked at, in repeats of the larger side.
+/// One mip level (the nearest), bilinear or nearest texels inside it.
+vec3 sample_texture(Texture header, vec2 uv, float footprint) {
+    const float texels_wide = footprint * float(max(header.width, header.height));
+    const uint level = uint(clamp(int(round(log2(max(texels_wide, 1.0)))), 0, int(header.mip_count) - 1));
+    const ivec2 size = max(ivec2(header.width, header.height) >> int(level), ivec2(1));
+    const vec2 place = fract(uv) * vec2(size);
+    if (frame.cvars.pt_texture_filter == 0)
+        return fetch_texel(header, level, wrap_texel(ivec2(place), size));
+    const vec2 corner = floor(place - 0.5);
+    const vec2 weight = place - 0.5 - corner;
+    const ivec2 low = wrap_texel(ivec2(corner), size);
+    const ivec2 high = wrap_texel(ivec2(corner) + 1, size);
+    const vec3 top = mix(fetch_texel(header, level, low), fetch_texel(header, level, ivec2(high.x, low.y)), weight.x);
+    const vec3 bottom = mix(fetch_texel(header, level, ivec2(low.x, high.y)), fetch_texel(header, level, high), weight.x);
+    return mix(top, bottom, weight.y);
+}
+
+/// Texture coordinates of a liquid: Quake II's turbulence (amplitude 8 texels of 64, period 2 pi / 0.125 texels, one radian a
+/// second) and its scrolling (64 texels every two seconds, as warped faces flow at half that speed).
+vec2 animate_uv(vec2 uv, uint material_flags) {
+    if ((material_flags & MATERIAL_WARP) != 0u) {
+        const vec2 phase = 8.0 * uv.yx + frame.time_s;
+        uv += (8.0 / 64.0) * 0.5 * sin(phase);
+    }
+    if ((material_flags & MATERIAL_FLOWING) != 0u) uv.x -= fract(frame.time_s * 0.5);
+    return uv;
+}
+
+Texture material_texture(Material material) {
+    uint index = material.texture;
+    // Quake II shows two animation frames per second.
+    if (HAS_ANIMATION && material.frame_count > 1u) index += uint(frame.time_s * 2.0) % material.frame_count;
+    return textures[index];
+}
+
+#endif

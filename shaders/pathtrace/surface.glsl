@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From a hit to a surface: position, geometric normal, albedo, gloss, PVS cluster. Shading uses the geometric normal
+// everywhere: it keeps reflection and sampling consistent, and the same surface for every technique.
+#ifndef VIGIL_PATHTRACE_SURFACE_GLSL
+#define VIGIL_PATHTRACE_SURFACE_GLSL
+
+#include "pathtrace/scene.glsl"
+#include "shared/brdf.h"
+#include "shared/sampling.h"
+#include "trace/trace.glsl"
+
+layout(set = SET_SCENE, binding = BINDING_BSP, scalar) restrict readonly buffer BspBlock {
+    BspTreeNode bsp_nodes[];
+};
+
+struct Surface {
+    vec3 position;
+    vec3 origin;    // just above the position: where rays start, and from where lights are looked at
+    vec3 normal;    // unit, of the side that was hit
+    vec3 view;      // unit, to where the ray came from
+    Brdf brdf;
+    uint primitive;
+    uint instance;
+};
+
+/// What a ray found.
+struct Vertex {
+    Surface surface;
+    bool lit;      // false: sky, nothing, or the inside of a wall: the path ends, surface is not set
+    vec3 emission; // towards the ray's origin: of the sky, or of the light that was hit
+    bool sky;
+};
+
+vec3 triangle_normal(uint primitive, uint instance) {
+    const BvhTriangle triangle = bvh_load_triangle(primitive);
+    const vec3 normal = cross(triangle.e1, triangle.e2);
+    if (!HAS_INSTANCES || instance == 0u) return normalize(normal);
+    // Normals go with the transposed inverse.
+    return normalize(normal * mat3(instances[instance].object_from_world));
+}
+
+/// Linear mean-filtered texel of a triangle; `cone` is the width of the ray where it hits, in map units.
+vec3 surface_texel(Primitive primitive, Material material, vec2 barycentrics, uint index, float cone) {
+    const vec2 du = primitive.uv1 - primitive.uv0;
+    const vec2 dv = primitive.uv2 - primitive.uv0;
+    vec2 uv = primitive.uv0 + barycentrics.x * du + barycentrics.y * dv;
+    if (HAS_LIQUID) uv = animate_uv(uv, material.flags);
+    // Repeats per map unit from the ratio of the triangle's areas in texture and in space.
+    const BvhTriangle triangle = bvh_load_triangle(index);
+    const vec3 area = cross(triangle.e1, triangle.e2);
+    const float density = sqrt(abs(du.x * dv.y - du.y * dv.x) * inversesqrt(max(dot(area, area), 1e-12)));
+    return sample_texture(material_texture(material), uv, cone * density);
+}
+
+/// Emission of a triangle light seen from its front; `texel` gives a lamp its look without changing its mean.
+vec3 light_emission(Primitive primitive, Hit hit, Material material, vec3 texel, bool textured) {
+    const uint first = HAS_INSTANCES ? instances[hit.instance].first_light : 0u;
+    vec3 emission = lights[first + primitive.light].radiance;
+    // A translucent lamp's list entry is dimmed by its coverage; a ray that stops at it has paid for that already.
+    if (HAS_TRANSLUCENT) {
+        const uint coverage = bvh_load_triangle(hit.primitive).flags & TRIANGLE_COVERAGE_MASK;
+        emission *= 255.0 / float(max(coverage, 1u));
+    }
+    if (textured && material.inverse_mean != vec3(0.0)) emission *= texel * material.inverse_mean;
+    return emission;
+}
+
+/// Describes what `ray` hit. `spread` is the ray's angle in radians (how fast its cone widens); at the primary hit
+/// surfaces may be glossy and lamps show their texture, later all are diffuse and uniform (paper, section 7).
+Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
+    Vertex vertex;
+    vertex.lit = false;
+    vertex.sky = false;
+    vertex.emission = vec3(0.0);
+    const Primitive primitive = primitives[hit.primitive];
+    const Material material = materials[primitive.material];
+    if (HAS_SKY && (material.flags & MATERIAL_SKY) != 0u) {
+        vertex.sky = true;
+        return vertex;
+    }
+    if (!hit.front) return vertex; // the inside of a wall is black
+    vec3 normal = triangle_normal(hit.primitive, hit.instance);
+    const float cosine = max(-dot(normal, ray.direction), 1e-3);
+    const float cone = spread * hit.t * inversesqrt(cosine);
+    const vec3 texel = surface_texel(primitive, material, hit.barycentrics, hit.primitive, cone);
+    if (HAS_LIGHTS && primitive.light != NONE)
+        vertex.emission = light_emission(primitive, hit, material, texel,
+                                         primary && frame.cvars.pt_emissive_texture != 0);
+    vertex.lit = true;
+    vertex.surface.position = ray.origin + hit.t * ray.direction;
+    vertex.surface.normal = normal;
+    vertex.surface.origin = offset_ray_origin(vertex.surface.position, normal);
+    vertex.surface.view = -ray.direction;
+    vertex.surface.brdf = brdf_lambert(texel);
+    if (HAS_GLOSS && primary && (material.flags & MATERIAL_GLOSSY) != 0u) {
+        vertex.surface.brdf.f0 = material.specular;
+        vertex.surface.brdf.alpha = material.roughness * material.roughness;
+    }
+    vertex.surface.primitive = hit.primitive;
+    vertex.surface.instance = hit.instance;
+    return vertex;
+}
+
+/// PVS cluster of a surface, NONE where there is none. World triangles know theirs unless they reach through
+/// several; then, and on moving models, the level's BSP tells.
+uint surface_cluster(Surface surface) {
+    if (!HAS_INSTANCES || surface.instance == 0u) {
+        const uint cluster = primitives[surface.primitive].cluster;
+        if (cluster != NONE) return cluster;
+    }
+    // Half a unit off the surface lies in the open, clear of rounding.
+    const vec3 position = surface.position + 0.5 * surface.normal;
+    int child = 0;
+    while (child >= 0) {
+        const BspTreeNode node = bsp_nodes[child];
+        child = dot(node.normal, position) >= node.dist ? node.front : node.back;
+    }
+    return uint(-2 - child); // -1 becomes NONE
+}
+
+#endif

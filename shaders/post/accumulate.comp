@@ -1,0 +1,34 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `accumulate`: folds this frame into the running mean (of one frame while nothing is accumulated) and sums the log
+// luminance of each tile for the automatic exposure.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "post/picture.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+shared vec2 tile[64];
+
+void main() {
+    const uvec2 pixel = gl_GlobalInvocationID.xy;
+    const uint lane = gl_LocalInvocationIndex;
+    tile[lane] = vec2(0.0);
+    if (all(lessThan(pixel, frame.size))) {
+        const uint index = pixel.y * frame.size.x + pixel.x;
+        vec3 value = radiance[index] / float(path_count);
+        if (frame.accumulated > 0u) {
+            const vec3 before = mean_radiance[index];
+            value = before + (value - before) / float(frame.accumulated + 1u);
+        }
+        mean_radiance[index] = value;
+        // Black pixels say nothing about how bright the rest should look.
+        const float brightness = luminance(value);
+        if (brightness > 1e-6) tile[lane] = vec2(log2(brightness), 1.0);
+    }
+    for (uint step = 32u; step > 0u; step >>= 1) {
+        barrier();
+        if (lane < step) tile[lane] += tile[lane + step];
+    }
+    if (lane == 0u) exposure_tiles[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = tile[0];
+}

@@ -1,0 +1,28 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `exposure`: one work group turns the tiles' log luminances into the factor from radiance to display. The
+// geometric mean of the picture comes out at middle grey (Reinhard et al. 2002, 18 %). Each picture is
+// exposed by itself, so a picture never depends on the frames before it.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "post/picture.glsl"
+
+layout(local_size_x = 256) in;
+
+shared vec2 sums[256];
+
+void main() {
+    const uint lane = gl_LocalInvocationIndex;
+    const uvec2 tiles = (frame.size + 7u) / 8u;
+    vec2 sum = vec2(0.0);
+    for (uint i = lane; i < tiles.x * tiles.y; i += 256u) sum += exposure_tiles[i];
+    sums[lane] = sum;
+    for (uint step = 128u; step > 0u; step >>= 1) {
+        barrier();
+        if (lane < step) sums[lane] += sums[lane + step];
+    }
+    if (lane != 0u) return;
+    float value = frame.cvars.pt_exposure;
+    if (value == 0.0) value = 0.18 / exp2(sums[0].x / max(sums[0].y, 1.0));
+    exposure = clamp(value, 1e-6, 1e6) * exp2(frame.cvars.pt_exposure_bias);
+}

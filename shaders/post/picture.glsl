@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Buffers of the passes after the path tracer: the running mean, the exposure, the finished picture.
+#ifndef VIGIL_POST_PICTURE_GLSL
+#define VIGIL_POST_PICTURE_GLSL
+
+#include "pathtrace/frame.glsl"
+#include "shared/brdf.h"
+
+layout(set = SET_SCENE, binding = BINDING_ACCUMULATION, scalar) restrict buffer AccumulationBlock {
+    vec3 mean_radiance[];
+};
+// Result first, then one partial sum per tile.
+layout(set = SET_SCENE, binding = BINDING_EXPOSURE, scalar) restrict buffer ExposureBlock {
+    float exposure;
+    vec2 exposure_tiles[]; // sum of log2 luminance, number of pixels in the sum
+};
+layout(set = SET_SCENE, binding = BINDING_DISPLAY, scalar) restrict buffer DisplayBlock {
+    uint display[]; // RGBA8, sRGB
+};
+
+#endif

@@ -1,0 +1,41 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `tonemap`: exposed radiance to 8-bit sRGB. Curves: none (clip), Reinhard et al. 2002 on luminance with white at 4, and
+// Narkowicz's 2015 fit of the ACES filmic curve. A debug view, if one is on, is shown as it is.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "post/picture.glsl"
+#include "debug/view.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+vec3 reinhard(vec3 color) {
+    const float white = 4.0;
+    const float bright = luminance(color);
+    return color * ((1.0 + bright / (white * white)) / (1.0 + bright));
+}
+
+vec3 filmic(vec3 color) {
+    return (color * (2.51 * color + 0.03)) / (color * (2.43 * color + 0.59) + 0.14);
+}
+
+vec3 encode_srgb(vec3 linear) {
+    const vec3 curve = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
+    return mix(12.92 * linear, curve, greaterThan(linear, vec3(0.0031308)));
+}
+
+void main() {
+    const uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(pixel, frame.size))) return;
+    const uint index = pixel.y * frame.size.x + pixel.x;
+    vec3 color;
+    if (frame.cvars.pt_view != VIEW_NONE) {
+        color = view_color(index);
+    } else {
+        color = min(mean_radiance[index] * exposure, vec3(1e4));
+        if (frame.cvars.pt_tonemap == 1) color = reinhard(color);
+        if (frame.cvars.pt_tonemap == 2) color = filmic(0.8 * color);
+        color = encode_srgb(clamp(color, 0.0, 1.0));
+    }
+    display[index] = packUnorm4x8(vec4(color, 1.0));
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What changes from frame to frame and is the same for all pixels: camera, clocks, sky, sun, and the variables
+// that shaders read. Scalar layout; the host fills it in refresh/vkpt/frame_params.cpp.
+#ifndef VIGIL_SHARED_FRAME_PARAMS_H
+#define VIGIL_SHARED_FRAME_PARAMS_H
+
+#include "glsl.h"
+#include "cvar_table.h"
+
+SHADER_BEGIN
+
+struct FrameParams {
+    vec3 camera_origin;
+    vec3 camera_forward; // unit
+    vec3 camera_right;   // length: tan(half horizontal angle)
+    vec3 camera_up;      // length: tan(half vertical angle)
+    uvec2 size;          // pixels
+    float pixel_angle;   // angle that a pixel covers in the middle of the picture, radians
+    float time_s;
+    uint frame;          // counts rendered frames; the random sequence
+    uint accumulated;    // frames in the running mean before this one; 0 starts anew
+    uint jitter;         // 1: camera rays pass through random points of the pixel
+    uint light_count;    // ids in use, dark ones included
+    uint sky_texture;    // first of six textures in the order of formats/sky.h, or NONE
+    vec3 sky_radiance;   // factor on the sky's texels; the radiance itself if there is no texture
+    vec3 sun_direction;  // unit, towards the sun
+    vec3 sun_radiance;   // of the disc; 0 without a sun
+    float sun_size;      // 1 - cos(half the angular diameter)
+    GpuCvars cvars;
+};
+
+/// Counted on the GPU, read back by the host without waiting.
+struct FrameCounters {
+    uint nonfinite; // radiance values that were not finite and were replaced by 0
+};
+
+SHADER_END
+#endif

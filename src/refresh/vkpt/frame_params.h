@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fills the GPU's FrameParams from a frame, the scene and the variables.
+#pragma once
+
+#include "refresh/refresh.h"
+#include "shared/frame_params.h"
+
+namespace vigil::vkpt {
+
+class Scene;
+
+/// The camera's part: origin, axes, size, pixel angle. `view.fov` is horizontal at 4:3 (see
+/// refresh.h).
+void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uvec2 size);
+
+/// Sky, sun and light count.
+void set_scene(shader::FrameParams& params, const Scene& scene);
+
+} // namespace vigil::vkpt

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/pathtracer.h"
+
+#include "common/error.h"
+#include "refresh/vkpt/light/ltc_table.h"
+#include "refresh/vkpt/shader_library.h"
+
+#include <algorithm>
+
+namespace vigil::vkpt {
+
+namespace {
+
+std::vector<VkDescriptorType> scene_binding_types(bool ray_query) {
+    std::vector<VkDescriptorType> types(SCENE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    types[BINDING_FRAME] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    if (ray_query)
+        types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    else
+        types.resize(BINDING_ACCELERATION_STRUCTURE);
+    return types;
+}
+
+/// Constant ids of trace/trace.glsl and pathtrace/frame.glsl.
+std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
+    return {{0, features.instances},  {1, features.translucent}, {8, features.sky},
+            {9, features.sun},        {10, features.gloss},      {11, features.liquid},
+            {12, features.animation}, {13, features.lights}};
+}
+
+} // namespace
+
+PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache)
+    : device_(device), cache_(cache), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      frame_(device, sizeof(shader::FrameParams), gpu::MemoryUse::Device, "frame parameters",
+             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+      counters_(device, sizeof(shader::FrameCounters), gpu::MemoryUse::Device, "counters") {
+    scene_set_ = gpu::DescriptorSet(device, scene_binding_types(device.features().ray_query),
+                                    unused_, "scene set");
+    const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
+                                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    technique_set_ = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
+    layout_ =
+        gpu::make_pipeline_layout(device, std::array{scene_set_.layout(), technique_set_.layout()});
+    ltc_ = gpu::make_buffer(device, std::as_bytes(ltc_table()), "LTC table");
+    accumulate_ = {device, layout_.get(), &cache, shader_code("accumulate"), {}, "accumulate"};
+    exposure_pipeline_ = {device, layout_.get(), &cache, shader_code("exposure"), {}, "exposure"};
+    gpu::run_now(device, [&](VkCommandBuffer commands) {
+        vkCmdFillBuffer(commands, counters_.handle(), 0, VK_WHOLE_SIZE, 0);
+    });
+}
+
+void PathTracer::resize(glm::uvec2 size) {
+    const uint64_t pixels = uint64_t{size.x} * size.y;
+    const glm::uvec2 tiles = (size + 7u) / 8u;
+    const auto make = [&](uint64_t bytes, const char* name) {
+        return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
+    };
+    // All are made before any is kept, so that a size that does not fit leaves the old one working.
+    gpu::Buffer surfaces = make(pixels * sizeof(shader::PrimaryHit), "primary hits");
+    gpu::Buffer radiance = make(pixels * sizeof(glm::vec3), "radiance");
+    gpu::Buffer accumulation = make(pixels * sizeof(glm::vec3), "accumulation");
+    gpu::Buffer exposure =
+        make(sizeof(float) + uint64_t{tiles.x} * tiles.y * sizeof(glm::vec2), "exposure");
+    gpu::Buffer display = make(pixels * sizeof(uint32_t), "display");
+    surfaces_ = std::move(surfaces);
+    radiance_ = std::move(radiance);
+    accumulation_ = std::move(accumulation);
+    exposure_ = std::move(exposure);
+    display_ = std::move(display);
+    size_ = size;
+}
+
+void PathTracer::bind(const Scene& scene, const LightTechnique& technique,
+                      VkAccelerationStructureKHR structure) {
+    scene_set_.bind(BINDING_FRAME, frame_);
+    scene_set_.bind(BINDING_BVH_NODES, scene.nodes());
+    scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
+    scene_set_.bind(BINDING_TOP_NODES, scene.top_nodes());
+    scene_set_.bind(BINDING_INSTANCES, scene.instances());
+    scene_set_.bind(BINDING_PRIMITIVES, scene.primitives());
+    scene_set_.bind(BINDING_MATERIALS, scene.materials());
+    scene_set_.bind(BINDING_TEXTURES, scene.textures());
+    scene_set_.bind(BINDING_TEXELS, scene.texels());
+    scene_set_.bind(BINDING_LIGHTS, scene.light_buffer());
+    scene_set_.bind(BINDING_BSP, scene.cluster_tree());
+    scene_set_.bind(BINDING_LTC, ltc_);
+    scene_set_.bind(BINDING_SURFACES, surfaces_);
+    scene_set_.bind(BINDING_RADIANCE, radiance_);
+    scene_set_.bind(BINDING_ACCUMULATION, accumulation_);
+    scene_set_.bind(BINDING_EXPOSURE, exposure_);
+    scene_set_.bind(BINDING_COUNTERS, counters_);
+    scene_set_.bind(BINDING_DISPLAY, display_);
+    if (structure) scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, structure);
+    const LightTechnique::Bindings bindings = technique.bindings();
+    for (uint32_t i = 0; i < bindings.size(); ++i)
+        technique_set_.bind(i, bindings[i] ? *bindings[i] : unused_);
+}
+
+const PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& variant) {
+    const auto known = std::find_if(variants_.begin(), variants_.end(),
+                                    [&](const auto& made) { return made->variant == variant; });
+    if (known != variants_.end()) return **known;
+    const std::vector<gpu::Specialization> constants = specialization(variant.features);
+    const std::string backend = variant.ray_query ? ".query" : "";
+    const std::string technique(technique_infos[static_cast<size_t>(variant.technique)].name);
+    const auto make = [&](const std::string& name) {
+        return gpu::ComputePipeline(device_, layout_.get(), &cache_, shader_code(name + backend),
+                                    constants, name.c_str());
+    };
+    auto made = std::make_unique<Pipelines>();
+    made->variant = variant;
+    made->primary = make("primary");
+    made->direct = make("direct." + technique);
+    made->indirect = make("indirect." + technique);
+    made->tonemap = make("tonemap");
+    variants_.push_back(std::move(made));
+    return *variants_.back();
+}
+
+void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
+                        const shader::FrameParams& params, uint32_t paths, bool samples_lights) {
+    const Pipelines& made = pipelines(variant);
+    const VkCommandBuffer buffer = commands.commands();
+    const std::array sets{scene_set_.handle(), technique_set_.handle()};
+    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
+                            static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
+    commands.upload(frame_, 0, gpu::bytes_of_value(params));
+    gpu::full_barrier(buffer);
+    const glm::uvec2 tiles = (size_ + 7u) / 8u;
+    const auto run = [&](Pass pass, const gpu::ComputePipeline& pipeline, glm::uvec2 groups) {
+        const PassScope scope(device_, commands, pass);
+        pipeline.bind(buffer);
+        vkCmdDispatch(buffer, groups.x, groups.y, 1);
+    };
+    for (uint32_t path = 0; path < paths; ++path) {
+        const uint32_t push[2] = {path, paths};
+        vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
+                           push);
+        run(Pass::Primary, made.primary, tiles);
+        if (samples_lights && variant.features.lights) run(Pass::Direct, made.direct, tiles);
+        run(Pass::Indirect, made.indirect, tiles);
+    }
+    run(Pass::Accumulate, accumulate_, tiles);
+    run(Pass::Exposure, exposure_pipeline_, {1, 1});
+    run(Pass::Tonemap, made.tonemap, tiles);
+}
+
+} // namespace vigil::vkpt

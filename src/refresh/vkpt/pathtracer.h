@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The passes from camera rays to the finished 8-bit picture: descriptor sets, pipelines per
+// technique and scene features, and the buffers whose size follows the resolution.
+#pragma once
+
+#include "refresh/vkpt/gpu/pipeline.h"
+#include "refresh/vkpt/light/technique.h"
+#include "refresh/vkpt/passes.h"
+#include "refresh/vkpt/scene/scene.h"
+#include "shared/frame_params.h"
+
+#include <map>
+
+namespace vigil::vkpt {
+
+/// What a set of path-tracing pipelines was compiled for.
+struct PathTracerVariant {
+    Technique technique = Technique::sll;
+    SceneFeatures features;
+    bool ray_query = false;
+    bool operator==(const PathTracerVariant&) const = default;
+};
+
+class PathTracer {
+public:
+    PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache);
+
+    /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
+    /// too small.
+    void resize(glm::uvec2 size);
+    /// Points the sets at the scene's and the technique's buffers. The GPU must be idle.
+    void bind(const Scene& scene, const LightTechnique& technique,
+              VkAccelerationStructureKHR structure);
+
+    /// Records the frame's passes from `primary` to `tonemap`, `paths` paths per pixel.
+    void record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
+                const shader::FrameParams& params, uint32_t paths, bool samples_lights);
+
+    glm::uvec2 size() const { return size_; }
+    const gpu::Buffer& display() const { return display_; }
+    const gpu::Buffer& mean_radiance() const { return accumulation_; }
+    const gpu::Buffer& counters() const { return counters_; }
+    const gpu::Buffer& primary_hits() const { return surfaces_; }
+    VkPipelineLayout layout() const { return layout_.get(); }
+    VkDescriptorSet scene_set() const { return scene_set_.handle(); }
+    VkDescriptorSet technique_set() const { return technique_set_.handle(); }
+
+private:
+    struct Pipelines {
+        PathTracerVariant variant;
+        gpu::ComputePipeline primary, direct, indirect, tonemap;
+    };
+    const Pipelines& pipelines(const PathTracerVariant& variant);
+
+    const gpu::Device& device_;
+    const gpu::PipelineCache& cache_;
+    glm::uvec2 size_{0, 0};
+    gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
+        display_, ltc_;
+    gpu::DescriptorSet scene_set_, technique_set_;
+    gpu::Handle<VkPipelineLayout> layout_;
+    gpu::ComputePipeline accumulate_, exposure_pipeline_;
+    std::vector<std::unique_ptr<Pipelines>> variants_;
+};
+
+} // namespace vigil::vkpt

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/renderer.h"
+
+#include "common/cvar.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "common/output.h"
+#include "refresh/vkpt/frame_params.h"
+#include "world/level.h"
+
+#include <cstring>
+
+namespace vigil::vkpt {
+
+namespace {
+
+gpu::DeviceOptions device_options() {
+    gpu::DeviceOptions options;
+    options.name = cvars()->vk_device;
+    options.validation = cvars()->vk_validation;
+    options.debug_names = cvars()->vk_debug_names != 0;
+    return options;
+}
+
+} // namespace
+
+VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface)
+    : files_(files), surface_(surface), device_(device_options(), surface),
+      pipeline_cache_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
+                                                                       gpu::FrameCommands(device_)},
+      path_tracer_(device_, pipeline_cache_) {
+    log_info("Vulkan device: {}", device_.description());
+    if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
+}
+
+VkptRenderer::~VkptRenderer() {
+    vkDeviceWaitIdle(device_.handle());
+}
+
+void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
+    // Everything is made before anything is replaced: a level that fails leaves the one before.
+    auto lister = std::make_unique<LightLister>(level->bsp, level->pvs);
+    auto scene = std::make_unique<Scene>(device_, files_, level);
+    device_.wait_idle();
+    technique_.reset();
+    scene_ = std::move(scene);
+    lister_ = std::move(lister);
+    level_ = std::move(level);
+    accumulated_ = 0;
+    accumulation_key_.clear();
+}
+
+refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
+    if (!scene_) fail("{}: no level is loaded", name);
+    return scene_->register_model(name);
+}
+
+glm::uvec2 VkptRenderer::picture_size() const {
+    if (surface_) {
+        const glm::ivec2 size = surface_->framebuffer_size();
+        if (size.x > 0 && size.y > 0) return size;
+        if (path_tracer_.size().x > 0) return path_tracer_.size(); // minimised: keep what we have
+    }
+    return {static_cast<uint32_t>(cvars()->vid_width), static_cast<uint32_t>(cvars()->vid_height)};
+}
+
+void VkptRenderer::resize(glm::uvec2 size) {
+    if (size == path_tracer_.size()) return;
+    device_.wait_idle();
+    path_tracer_.resize(size);
+    picture_ = gpu::Image(device_, size.x, size.y, VK_FORMAT_R8G8B8A8_UNORM,
+                          VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                          "picture");
+    accumulation_key_.clear();
+    rebind_ = true;
+}
+
+void VkptRenderer::select_technique(Technique technique) {
+    if (technique_ && technique == technique_id_) return;
+    device_.wait_idle();
+    technique_ = make_technique(technique, {device_, *lister_});
+    technique_id_ = technique;
+    rebind_ = true;
+}
+
+bool VkptRenderer::use_ray_query() const {
+    // The compute hierarchy is the default on CPUs, where ray queries are slow, and wherever they
+    // are missing.
+    const bool offered = device_.features().ray_query;
+    if (cvars()->pt_trace == cvar_choice("pt_trace", "query")) return offered;
+    return cvars()->pt_trace == cvar_choice("pt_trace", "auto") && offered &&
+           !device_.features().is_cpu;
+}
+
+shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
+    shader::FrameParams params{};
+    params.cvars = cvars().gpu_values();
+    set_camera(params, frame.view, path_tracer_.size());
+    set_scene(params, *scene_);
+    params.time_s =
+        static_cast<float>(std::fmod(frame.time_s, 4096.0)); // keeps its digits for days
+    return params;
+}
+
+void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
+    // The running mean goes on while nothing that the picture depends on has changed. Frame
+    // counters are still zero in `params`; tone mapping and views come after the mean.
+    shader::FrameParams relevant = params;
+    relevant.cvars.pt_exposure = relevant.cvars.pt_exposure_bias = 0.0f;
+    relevant.cvars.pt_tonemap = relevant.cvars.pt_view = 0;
+    const uint64_t settings[] = {scene_->revision(), static_cast<uint64_t>(technique_id_),
+                                 static_cast<uint64_t>(cvars()->pt_jitter),
+                                 static_cast<uint64_t>(cvars()->pt_spp),
+                                 static_cast<uint64_t>(use_ray_query())};
+    std::vector<std::byte> key(sizeof(relevant) + sizeof(settings));
+    std::memcpy(key.data(), &relevant, sizeof(relevant));
+    std::memcpy(key.data() + sizeof(relevant), settings, sizeof(settings));
+    if (cvars()->pt_accumulate == 0 || key != accumulation_key_) accumulated_ = 0;
+    accumulation_key_ = std::move(key);
+}
+
+void VkptRenderer::render(const refresh::Frame& frame) {
+    resize(picture_size());
+    gpu::FrameCommands& commands = frames_[frame_number_ % frames_in_flight];
+    if (commands.begin()) {
+        for (size_t pass = 0; pass < pass_milliseconds_.size(); ++pass)
+            pass_milliseconds_[pass] = commands.timer().milliseconds(static_cast<uint32_t>(pass));
+    }
+    if (scene_) {
+        // Bring scene and technique to this frame.
+        select_technique(static_cast<Technique>(cvars()->pt_nee));
+        rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
+        rebind_ |= technique_->prepare(scene_->lights());
+        shader::FrameParams params = frame_params(frame);
+        update_accumulation(params);
+        if (rebind_) {
+            device_.wait_idle();
+            path_tracer_.bind(*scene_, *technique_, VK_NULL_HANDLE);
+            rebind_ = false;
+        }
+        {
+            const PassScope scope(device_, commands, Pass::Upload);
+            scene_->upload(commands);
+            technique_->upload(commands);
+        }
+
+        // Trace and finish the picture.
+        const bool accumulating = cvars()->pt_accumulate != 0;
+        params.frame = static_cast<uint32_t>(frame_number_);
+        params.accumulated = accumulated_;
+        params.jitter =
+            cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
+        const PathTracerVariant variant{technique_id_, scene_->features(), use_ray_query()};
+        path_tracer_.record(commands, variant, params, static_cast<uint32_t>(cvars()->pt_spp),
+                            technique_->samples_lights());
+        ++accumulated_;
+    }
+    present(commands, frame);
+    ++frame_number_;
+    last_frame_ = &commands;
+}
+
+void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& frame) {
+    const VkCommandBuffer buffer = commands.commands();
+    // From the buffer of pixels to the image that the overlay is drawn on.
+    gpu::transition(buffer, picture_.handle(), VK_IMAGE_LAYOUT_UNDEFINED,
+                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    if (scene_) {
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {picture_.width(), picture_.height(), 1};
+        vkCmdCopyBufferToImage(buffer, path_tracer_.display().handle(), picture_.handle(),
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    } else {
+        const VkClearColorValue black{};
+        const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        vkCmdClearColorImage(buffer, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                             &black, 1, &all);
+    }
+    gpu::transition(buffer, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                    VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    if (frame.overlay) {
+        if (!overlay_) overlay_.emplace(device_, picture_.format(), frames_in_flight);
+        const PassScope scope(device_, commands, Pass::Overlay);
+        overlay_->draw(buffer, picture_, frame.overlay);
+    }
+    std::optional<gpu::SwapchainTarget> target;
+    if (swapchain_) target = swapchain_->acquire(cvars()->vid_vsync != 0);
+    if (target) {
+        const PassScope scope(device_, commands, Pass::Present);
+        swapchain_->blit(buffer, *target, picture_);
+    }
+    commands.submit(target ? target->acquired : VK_NULL_HANDLE, gpu::Swapchain::wait_stage,
+                    target ? target->finished : VK_NULL_HANDLE);
+    if (target) swapchain_->present(*target);
+}
+
+refresh::Picture VkptRenderer::read_picture(bool with_overlay) {
+    if (!last_frame_) fail("no frame has been rendered");
+    device_.wait_idle();
+    refresh::Picture picture;
+    picture.width = static_cast<int>(picture_.width());
+    picture.height = static_cast<int>(picture_.height());
+    const uint64_t bytes = uint64_t{4} * picture_.width() * picture_.height();
+    std::vector<std::byte> pixels;
+    if (with_overlay || !scene_) {
+        const gpu::Buffer staging(device_, bytes, gpu::MemoryUse::Readback, "picture readback");
+        gpu::run_now(device_, [&](VkCommandBuffer commands) {
+            VkBufferImageCopy region{};
+            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+            region.imageExtent = {picture_.width(), picture_.height(), 1};
+            vkCmdCopyImageToBuffer(commands, picture_.handle(),
+                                   VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle(), 1,
+                                   &region);
+        });
+        pixels.assign(staging.mapped(), staging.mapped() + bytes);
+    } else {
+        pixels = gpu::download_now(device_, path_tracer_.display(), 0, bytes);
+    }
+    picture.rgba.resize(bytes);
+    std::memcpy(picture.rgba.data(), pixels.data(), bytes);
+    return picture;
+}
+
+refresh::RadiancePicture VkptRenderer::read_radiance() {
+    if (!last_frame_ || !scene_) fail("no frame of a level has been rendered");
+    device_.wait_idle();
+    refresh::RadiancePicture picture;
+    picture.width = static_cast<int>(path_tracer_.size().x);
+    picture.height = static_cast<int>(path_tracer_.size().y);
+    picture.frames = static_cast<int>(accumulated_);
+    picture.rgb =
+        gpu::download_now_as<float>(device_, path_tracer_.mean_radiance(), 0,
+                                    uint64_t{3} * path_tracer_.size().x * path_tracer_.size().y);
+    return picture;
+}
+
+std::vector<refresh::PassTime> VkptRenderer::pass_times() {
+    std::vector<refresh::PassTime> times;
+    for (size_t pass = 0; pass < pass_milliseconds_.size(); ++pass) {
+        if (pass_milliseconds_[pass] > 0.0)
+            times.push_back({std::string(pass_names[pass]), pass_milliseconds_[pass]});
+    }
+    return times;
+}
+
+uint32_t VkptRenderer::nonfinite_count() const {
+    device_.wait_idle();
+    return gpu::download_now_as<shader::FrameCounters>(device_, path_tracer_.counters(), 0, 1)[0]
+        .nonfinite;
+}
+
+std::string VkptRenderer::describe_scene() const {
+    if (!scene_) return "no level is loaded";
+    std::string text = scene_->describe();
+    text += fmt::format("\n  ray tracing     {}",
+                        use_ray_query() ? "VK_KHR_ray_query" : "our BVH in compute");
+    text += fmt::format("\n  light sampling  {}: {}",
+                        technique_infos[static_cast<size_t>(cvars()->pt_nee)].name,
+                        technique_infos[static_cast<size_t>(cvars()->pt_nee)].help);
+    if (const uint32_t count = nonfinite_count(); count > 0)
+        text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",
+                            count);
+    return text;
+}
+
+std::string VkptRenderer::describe_device() const {
+    return device_.description();
+}
+
+void VkptRenderer::export_scene(const refresh::Frame&, const std::string& path) {
+    fail("{}: exporting is not linked in", path);
+}
+
+} // namespace vigil::vkpt
+
+namespace vigil::refresh {
+
+std::unique_ptr<Renderer> make_vkpt_renderer(FileSystem& files, SurfaceProvider* surface) {
+    return std::make_unique<vkpt::VkptRenderer>(files, surface);
+}
+
+} // namespace vigil::refresh

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The Vulkan path tracer behind refresh::Renderer: one frame's data flow from scene update to
+// presentation.
+#pragma once
+
+#include "refresh/refresh.h"
+#include "refresh/vkpt/gpu/swapchain.h"
+#include "refresh/vkpt/light/light_lists.h"
+#include "refresh/vkpt/overlay.h"
+#include "refresh/vkpt/pathtracer.h"
+
+#include <array>
+#include <optional>
+
+namespace vigil::vkpt {
+
+class VkptRenderer : public refresh::Renderer {
+public:
+    VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface);
+    ~VkptRenderer() override;
+
+    void load_level(std::shared_ptr<const Level> level) override;
+    refresh::ModelHandle register_model(std::string_view name) override;
+    void render(const refresh::Frame& frame) override;
+    refresh::Picture read_picture(bool with_overlay) override;
+    refresh::RadiancePicture read_radiance() override;
+    std::vector<refresh::PassTime> pass_times() override;
+    std::string describe_scene() const override;
+    std::string describe_device() const override;
+    void export_scene(const refresh::Frame& frame, const std::string& path) override;
+
+    // For tests and benchmarks.
+    const gpu::Device& device() const { return device_; }
+    PathTracer& path_tracer() { return path_tracer_; }
+    Scene* scene() { return scene_.get(); }
+    LightTechnique* technique() { return technique_.get(); }
+    /// Radiance values so far that were not finite.
+    uint32_t nonfinite_count() const;
+
+private:
+    static constexpr size_t frames_in_flight = 2;
+
+    glm::uvec2 picture_size() const;
+    void resize(glm::uvec2 size);
+    void select_technique(Technique technique);
+    bool use_ray_query() const;
+    shader::FrameParams frame_params(const refresh::Frame& frame);
+    void update_accumulation(const shader::FrameParams& params);
+    void present(gpu::FrameCommands& commands, const refresh::Frame& frame);
+
+    FileSystem& files_;
+    refresh::SurfaceProvider* surface_;
+    gpu::Device device_;
+    gpu::PipelineCache pipeline_cache_;
+    std::array<gpu::FrameCommands, frames_in_flight> frames_;
+    PathTracer path_tracer_;
+    std::optional<gpu::Swapchain> swapchain_;
+    std::optional<Overlay> overlay_;
+    gpu::Image picture_;
+
+    std::shared_ptr<const Level> level_;
+    std::unique_ptr<LightLister> lister_;
+    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<LightTechnique> technique_;
+    Technique technique_id_ = Technique::sll;
+    bool rebind_ = true;
+
+    uint64_t frame_number_ = 0;
+    uint32_t accumulated_ = 0;                // frames in the running mean after the last render
+    std::vector<std::byte> accumulation_key_; // what the running mean depends on
+    std::array<double, std::size(pass_names)> pass_milliseconds_{};
+    const gpu::FrameCommands* last_frame_ = nullptr;
+};
+
+} // namespace vigil::vkpt

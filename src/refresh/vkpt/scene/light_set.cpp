@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/scene/light_set.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace vigil::vkpt {
+
+ModelGeometry dynamic_light_geometry(uint32_t material) {
+    ModelGeometry geometry;
+    for (uint32_t octant = 0; octant < dynamic_light_triangles; ++octant) {
+        const glm::vec3 sign((octant & 1) ? -1.0f : 1.0f, (octant & 2) ? -1.0f : 1.0f,
+                             (octant & 4) ? -1.0f : 1.0f);
+        const glm::vec3 x(sign.x, 0.0f, 0.0f), y(0.0f, sign.y, 0.0f), z(0.0f, 0.0f, sign.z);
+        const bool mirrored = sign.x * sign.y * sign.z < 0.0f;
+        const glm::vec3 v1 = mirrored ? z : y, v2 = mirrored ? y : z;
+        shader::Primitive primitive{};
+        primitive.material = material;
+        primitive.light = octant;
+        primitive.cluster = shader::NONE;
+        geometry.primitives.push_back(primitive);
+        geometry.triangles.push_back({x, v1, v2, 255});
+        geometry.lights.push_back({x, v1, v2, glm::vec3(1.0f), 1.0f, 0});
+    }
+    return geometry;
+}
+
+LightSet::LightSet(std::vector<LightSource> world_lights)
+    : world_(std::move(world_lights)), lights_(world_.size()),
+      static_count_(static_cast<uint32_t>(world_.size())) {}
+
+void LightSet::begin_frame(std::span<const float> light_styles, float emissive_scale) {
+    for (auto& [key, slot] : slots_)
+        slot.placed = false;
+    const bool same =
+        scale_ == emissive_scale &&
+        std::equal(light_styles.begin(), light_styles.end(), styles_.begin(), styles_.end());
+    styles_.assign(light_styles.begin(), light_styles.end());
+    scale_ = emissive_scale;
+    if (same) return;
+    for (uint32_t id = 0; id < static_count_; ++id)
+        write(id, world_[id], glm::mat4x3(1.0f), glm::vec3(1.0f));
+}
+
+void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& world_from_object,
+                     glm::vec3 tint) {
+    const glm::mat3 rotation(world_from_object);
+    shader::Light light;
+    light.v0 = world_from_object * glm::vec4(source.v0, 1.0f);
+    light.e1 = rotation * (source.v1 - source.v0);
+    light.e2 = rotation * (source.v2 - source.v0);
+    const size_t style = static_cast<size_t>(source.style);
+    const float dim = style < styles_.size() ? styles_[style] : 1.0f;
+    light.radiance = source.radiance * tint * (source.coverage * dim * scale_);
+    shader::Light& old = lights_[id];
+    if (std::memcmp(&old, &light, sizeof(light)) == 0) return;
+    ++revision_;
+    if (id >= static_count_ &&
+        (old.v0 != light.v0 || old.e1 != light.e1 || old.e2 != light.e2 ||
+         (old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))))
+        ++moving_revision_;
+    old = light;
+}
+
+uint32_t LightSet::place(uint64_t key, std::span<const LightSource> sources,
+                         const glm::mat4x3& world_from_object, glm::vec3 tint) {
+    const auto count = static_cast<uint32_t>(sources.size());
+    if (count == 0) return 0;
+    auto known = slots_.find(key);
+    if (known != slots_.end() && known->second.count != count) { // the entity changed its model
+        free_.push_back(known->second);
+        slots_.erase(known);
+        known = slots_.end();
+    }
+    if (known == slots_.end()) {
+        Slot slot;
+        const auto fitting = std::find_if(
+            free_.begin(), free_.end(), [&](const Slot& unused) { return unused.count == count; });
+        if (fitting != free_.end()) {
+            slot = *fitting;
+            free_.erase(fitting);
+        } else {
+            slot.first = static_cast<uint32_t>(lights_.size());
+            slot.count = count;
+            lights_.resize(lights_.size() + count);
+            ++revision_;
+        }
+        known = slots_.emplace(key, slot).first;
+    }
+    known->second.placed = true;
+    for (uint32_t i = 0; i < count; ++i)
+        write(known->second.first + i, sources[i], world_from_object, tint);
+    return known->second.first;
+}
+
+void LightSet::end_frame() {
+    for (auto slot = slots_.begin(); slot != slots_.end();) {
+        if (slot->second.placed) {
+            ++slot;
+            continue;
+        }
+        for (uint32_t i = 0; i < slot->second.count; ++i)
+            lights_[slot->second.first + i].radiance = glm::vec3(0.0f);
+        ++revision_;
+        ++moving_revision_;
+        free_.push_back(slot->second);
+        slot = slots_.erase(slot);
+    }
+}
+
+} // namespace vigil::vkpt

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// All lights of a frame under stable ids: those of the static world first, then those of entities
+// and dynamic lights in slots that stay theirs while they exist. A vanished light's slot is dark
+// until another takes it.
+#pragma once
+
+#include "refresh/refresh.h"
+#include "refresh/vkpt/scene/model_geometry.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace vigil::vkpt {
+
+/// Triangles of a dynamic light's octahedron.
+inline constexpr uint32_t dynamic_light_triangles = 8;
+
+/// The octahedron of a dynamic light of radius 1 around the origin, wound outwards.
+ModelGeometry dynamic_light_geometry(uint32_t material);
+
+class LightSet {
+public:
+    LightSet() = default;
+    /// Starts a level whose static world has these lights.
+    explicit LightSet(std::vector<LightSource> world_lights);
+
+    /// What a frame asks of the set; call begin_frame, then place() for every model with lights,
+    /// then end_frame.
+    void begin_frame(std::span<const float> light_styles, float emissive_scale);
+    /// Places a model's lights; `key` names the entity or dynamic light while it exists. `tint`
+    /// multiplies radiance. Returns the id of the model's light 0.
+    uint32_t place(uint64_t key, std::span<const LightSource> sources,
+                   const glm::mat4x3& world_from_object, glm::vec3 tint);
+    /// Darkens what was not placed. Light ids are valid until the next begin_frame.
+    void end_frame();
+
+    /// Lights by id; dark slots have zero radiance.
+    std::span<const shader::Light> lights() const { return lights_; }
+    /// Ids below this belong to the static world: their geometry never changes.
+    uint32_t static_count() const { return static_count_; }
+    /// Grows whenever any light differs from the frame before.
+    uint64_t revision() const { return revision_; }
+    /// Grows whenever a light beyond static_count() appears, vanishes or moves.
+    uint64_t moving_revision() const { return moving_revision_; }
+
+private:
+    struct Slot {
+        uint32_t first = 0;
+        uint32_t count = 0;
+        bool placed = false;
+    };
+    void write(uint32_t id, const LightSource& source, const glm::mat4x3& world_from_object,
+               glm::vec3 tint);
+
+    std::vector<LightSource> world_;
+    std::vector<shader::Light> lights_;
+    std::map<uint64_t, Slot> slots_;
+    std::vector<Slot> free_;
+    std::vector<float> styles_;
+    float scale_ = 1.0f;
+    uint32_t static_count_ = 0;
+    uint64_t revision_ = 1;
+    uint64_t moving_revision_ = 1;
+};
+
+} // namespace vigil::vkpt

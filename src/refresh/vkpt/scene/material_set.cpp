@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/scene/material_set.h"
+
+#include "common/error.h"
+#include "common/file_system.h"
+#include "common/log.h"
+#include "formats/bsp_query.h"
+#include "formats/texture_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+namespace vigil::vkpt {
+
+namespace {
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+glm::vec3 inverse(glm::vec3 mean) {
+    for (glm::length_t i = 0; i < 3; ++i)
+        mean[i] = mean[i] > 1e-6f ? 1.0f / mean[i] : 0.0f;
+    return mean;
+}
+
+shader::Material plain_material(const TextureSet::Entry& texture) {
+    shader::Material material{};
+    material.texture = texture.header;
+    material.frame_count = 1;
+    material.roughness = 1.0f;
+    material.inverse_mean = inverse(texture.mean);
+    return material;
+}
+
+} // namespace
+
+MaterialSet::MaterialSet(const FileSystem& files, TextureSet& textures)
+    : files_(files), textures_(textures) {
+    if (!files.exists("materials.json")) return;
+    try {
+        load_gloss(files);
+    } catch (const std::exception& error) {
+        log_warning("materials.json: {}; all surfaces are diffuse", error.what());
+        gloss_.clear();
+    }
+}
+
+void MaterialSet::load_gloss(const FileSystem& files) {
+    const nlohmann::json json = nlohmann::json::parse(files.read_text("materials.json"));
+    for (const auto& [name, entry] : json.items()) {
+        const float roughness = entry.value("roughness", 1.0f);
+        const float specular = entry.value("specular", 0.0f);
+        if (!(roughness >= 0.1f && roughness <= 1.0f && specular >= 0.0f && specular <= 1.0f))
+            fail("{}: roughness must lie in 0.1 to 1 and specular in 0 to 1", name);
+        if (specular > 0.0f) gloss_[lower(name)] = {roughness, specular};
+    }
+}
+
+const MaterialSet::WorldMaterial& MaterialSet::world_material(const Bsp& bsp, uint32_t texinfo) {
+    if (const auto known = by_texinfo_.find(texinfo); known != by_texinfo_.end())
+        return known->second;
+    const BspTexInfo& info = bsp.texinfos[texinfo];
+
+    // Collect the textures of the animation: Quake II's chain of texinfos, or Quake's +0, +1 names.
+    std::vector<std::string> names;
+    for (const uint32_t frame : animation_chain(bsp, texinfo))
+        names.push_back(bsp.texinfos[frame].texture);
+    if (names.size() == 1) {
+        names = animation_names(info.texture, [&](const std::string& name) {
+            const std::vector<std::string> paths = texture_candidates(name);
+            return std::any_of(paths.begin(), paths.end(),
+                               [&](const std::string& path) { return files_.exists(path); });
+        });
+    }
+    const TextureSet::Entry first = textures_.texture(info.texture);
+    std::vector<const TextureSet::Entry*> frames;
+    for (const std::string& name : names)
+        frames.push_back(&textures_.texture(name));
+
+    shader::Material material = plain_material(first);
+    material.texture = textures_.consecutive(frames);
+    material.frame_count = static_cast<uint32_t>(frames.size());
+    if (info.flags & SURF_SKY) material.flags |= shader::MATERIAL_SKY;
+    if (info.flags & SURF_WARP) material.flags |= shader::MATERIAL_WARP;
+    if (info.flags & SURF_FLOWING) material.flags |= shader::MATERIAL_FLOWING;
+    WorldMaterial result;
+    result.uv_size = first.uv_size;
+    if (is_emissive(info)) {
+        material.flags |= shader::MATERIAL_EMISSIVE;
+        result.radiance = first.mean * (static_cast<float>(info.value) * radiance_per_light_value);
+    }
+    if (info.flags & SURF_TRANS33) result.coverage = coverage_trans33;
+    if (info.flags & SURF_TRANS66) result.coverage = coverage_trans66;
+    if (const auto gloss = gloss_.find(lower(info.texture)); gloss != gloss_.end()) {
+        material.flags |= shader::MATERIAL_GLOSSY;
+        material.roughness = gloss->second.roughness;
+        material.specular = gloss->second.specular;
+    }
+    result.index = static_cast<uint32_t>(materials_.size());
+    materials_.push_back(material);
+    return by_texinfo_.emplace(texinfo, result).first->second;
+}
+
+uint32_t MaterialSet::mesh_material(const MeshMaterial& source) {
+    // Dielectrics keep their base colour and glTF's 4 % reflectance where they are smooth; metals
+    // reflect by their base colour's mean. Rough dielectrics (roughness 1) are plainly diffuse.
+    const glm::vec3 base(source.base_color);
+    const glm::vec3 diffuse = base * (1.0f - source.metallic);
+    shader::Material material = plain_material(textures_.flat(diffuse));
+    const float metal = (base.x + base.y + base.z) / 3.0f;
+    if (source.roughness < 1.0f) {
+        material.flags |= shader::MATERIAL_GLOSSY;
+        material.roughness = std::clamp(source.roughness, 0.1f, 1.0f);
+        material.specular = 0.04f + (metal - 0.04f) * source.metallic;
+    }
+    if (source.emissive != glm::vec3(0.0f)) {
+        material.flags |= shader::MATERIAL_EMISSIVE;
+        material.inverse_mean = glm::vec3(0.0f); // its emission has no texture
+    }
+    materials_.push_back(material);
+    return static_cast<uint32_t>(materials_.size() - 1);
+}
+
+uint32_t MaterialSet::picture_material(const std::string& path) {
+    materials_.push_back(plain_material(textures_.picture(path)));
+    return static_cast<uint32_t>(materials_.size() - 1);
+}
+
+uint32_t MaterialSet::lamp_material() {
+    MeshMaterial lamp;
+    lamp.base_color = glm::vec4(glm::vec3(0.5f), 1.0f);
+    lamp.metallic = 0.0f;
+    lamp.emissive = glm::vec3(1.0f);
+    return mesh_material(lamp);
+}
+
+} // namespace vigil::vkpt

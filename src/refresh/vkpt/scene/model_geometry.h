@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One model as triangles: the static world, a brush model, a mesh, or a pose of an MD2. Pure data
+// between the loaders and the scene; object space, original triangle order.
+#pragma once
+
+#include "refresh/vkpt/scene/bvh_builder.h"
+#include "shared/scene_types.h"
+
+#include <vector>
+
+namespace vigil::vkpt {
+
+/// An emissive triangle of a model, in object space.
+struct LightSource {
+    glm::vec3 v0{0.0f}, v1{0.0f}, v2{0.0f};
+    glm::vec3 radiance{0.0f}; // at light style value 1 and pt_emissive_scale 1
+    float coverage = 1.0f;    // below 1 for translucent lamps
+    int style = 0;            // light style that dims it
+};
+
+struct ModelGeometry {
+    std::vector<BvhInputTriangle> triangles;
+    std::vector<shader::Primitive> primitives; // one per triangle; light indexes `lights`
+    std::vector<LightSource> lights;
+};
+
+} // namespace vigil::vkpt

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/scene/scene.h"
+
+#include "common/error.h"
+#include "common/file_system.h"
+#include "common/log.h"
+#include "refresh/vkpt/scene/mesh_geometry.h"
+#include "refresh/vkpt/scene/transform.h"
+#include "refresh/vkpt/scene/world_geometry.h"
+#include "world/level.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+namespace vigil::vkpt {
+
+namespace {
+
+constexpr uint64_t entity_key_base = uint64_t{1} << 32;
+constexpr uint64_t dynamic_light_key_base = uint64_t{2} << 32;
+
+/// Makes `buffer` at least as large as `bytes`, with room to grow. Returns true if it was made
+/// anew.
+bool reserve(const gpu::Device& device, gpu::Buffer& buffer, size_t bytes, const char* name) {
+    if (buffer && buffer.bytes() >= bytes) return false;
+    device.wait_idle();
+    buffer =
+        gpu::Buffer(device, std::max<size_t>(bytes + bytes / 2, 256), gpu::MemoryUse::Device, name);
+    return true;
+}
+
+template <typename T>
+bool replace(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& values,
+             const char* name) {
+    buffer = gpu::make_buffer(device, gpu::bytes_of(values), name);
+    return true;
+}
+
+} // namespace
+
+Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level)
+    : device_(device), files_(files), level_(std::move(level)),
+      textures_(std::make_unique<TextureSet>(files)),
+      materials_(std::make_unique<MaterialSet>(files, *textures_)) {
+    ModelGeometry world = brush_model_geometry(*level_, 0, *materials_);
+    lights_ = LightSet(world.lights);
+    place_model("*0", std::move(world), 0);
+    read_sky();
+    cluster_buffer_ =
+        gpu::make_buffer(device_, gpu::bytes_of(vkpt::cluster_tree(level_->bsp)), "cluster tree");
+    update_features(false);
+}
+
+void Scene::read_sky() {
+    const vigil::Entity& world = level_->bsp.worldspawn();
+    sky_.name = world.get_string("sky");
+    if (!sky_.name.empty()) sky_.texture = textures_->sky_box(sky_.name);
+    // Without pictures: an even grey-blue sky, or the colour the level asks for.
+    sky_.radiance = sky_.texture ? glm::vec3(1.0f)
+                                 : world.get_vec3("_sky_color", glm::vec3(0.25f, 0.35f, 0.5f));
+    const float strength = world.get_float("_sun_light", 0.0f) * radiance_per_light_value;
+    sky_.sun_irradiance =
+        std::max(strength, 0.0f) * glm::max(world.get_vec3("_sun_color", glm::vec3(1.0f)), 0.0f);
+    // "_sun_mangle" is yaw pitch roll, "_sun_angle" is yaw pitch; both point where the light goes.
+    const glm::vec3 angle = world.get_vec3("_sun_angle", glm::vec3(0.0f, -90.0f, 0.0f));
+    const glm::vec3 mangle = world.get_vec3("_sun_mangle", angle);
+    const glm::vec3 along = rotation_from_angles(glm::vec3(-mangle.y, mangle.x, 0.0f))[0];
+    sky_.sun_direction = -glm::normalize(along);
+}
+
+size_t Scene::place_model(std::string name, ModelGeometry geometry, uint32_t spare_percent) {
+    Placed placed;
+    placed.name = std::move(name);
+    placed.first_triangle = static_cast<uint32_t>(triangles_.size());
+    placed.triangle_count = static_cast<uint32_t>(geometry.triangles.size());
+    placed.first_node_word = static_cast<uint32_t>(nodes_.size());
+    triangles_.resize(triangles_.size() + geometry.triangles.size());
+    primitives_.resize(triangles_.size());
+    write_model(placed, geometry);
+    // A deforming model needs a little more room when another pose makes a bigger hierarchy.
+    const uint32_t words = static_cast<uint32_t>(nodes_.size()) - placed.first_node_word;
+    const uint32_t spare =
+        words * spare_percent / 100 / shader::BVH_NODE_WORDS * shader::BVH_NODE_WORDS;
+    placed.node_words = words + spare;
+    nodes_.resize(nodes_.size() + spare);
+    placed.lights = std::move(geometry.lights);
+    placed_.push_back(std::move(placed));
+    static_dirty_ = true;
+    return placed_.size() - 1;
+}
+
+void Scene::write_model(Placed& placed, const ModelGeometry& geometry) {
+    const Bvh bvh = build_bvh(geometry.triangles);
+    placed.bounds = bvh.bounds;
+    if (placed.node_words == 0) {
+        placed.root = append_bvh(bvh, placed.first_triangle, nodes_);
+    } else {
+        // In place: the references inside are absolute, so build them behind an offset of the right
+        // size.
+        std::vector<glm::uvec4> nodes(placed.first_node_word);
+        placed.root = append_bvh(bvh, placed.first_triangle, nodes);
+        std::copy(nodes.begin() + placed.first_node_word, nodes.end(),
+                  nodes_.begin() + placed.first_node_word);
+    }
+    for (size_t slot = 0; slot < bvh.order.size(); ++slot) {
+        const BvhInputTriangle& source = geometry.triangles[bvh.order[slot]];
+        shader::BvhTriangle& triangle = triangles_[placed.first_triangle + slot];
+        triangle.v0 = source.v0;
+        triangle.flags = source.coverage & shader::TRIANGLE_COVERAGE_MASK;
+        triangle.e1 = source.v1 - source.v0;
+        triangle.e2 = source.v2 - source.v0;
+        primitives_[placed.first_triangle + slot] = geometry.primitives[bvh.order[slot]];
+    }
+}
+
+refresh::ModelHandle Scene::register_model(std::string_view name) {
+    if (const auto known = model_names_.find(name); known != model_names_.end())
+        return known->second;
+    Model model;
+    model.name = name;
+    if (name.starts_with('*')) {
+        uint32_t index = 0;
+        const auto parsed = std::from_chars(name.data() + 1, name.data() + name.size(), index);
+        if (parsed.ec != std::errc() || parsed.ptr != name.data() + name.size() || index == 0 ||
+            index >= level_->bsp.models.size())
+            fail("{}: the level has brush models *1 to *{}", name, level_->bsp.models.size() - 1);
+        model.placed =
+            place_model(model.name, brush_model_geometry(*level_, index, *materials_), 0);
+    } else if (name.ends_with(".md2")) {
+        model.md2 = std::make_shared<Md2>(parse_md2(name, files_.read(name)));
+        for (const std::string& skin : model.md2->skins)
+            model.skin_materials.push_back(materials_->picture_material(skin));
+        if (model.skin_materials.empty())
+            model.skin_materials.push_back(materials_->picture_material(model.name + " skin"));
+    } else if (name.ends_with(".glb")) {
+        model.placed = place_model(
+            model.name, mesh_geometry(parse_glb(name, files_.read(name)), *materials_), 0);
+    } else {
+        fail("{}: models are *N, .md2 or .glb", name);
+    }
+    models_.push_back(std::move(model));
+    const auto handle = static_cast<refresh::ModelHandle>(models_.size() - 1);
+    model_names_.emplace(std::string(name), handle);
+    static_dirty_ = true;
+    return handle;
+}
+
+size_t Scene::pose_of(const refresh::Entity& entity) {
+    const Model& model = models_[static_cast<size_t>(entity.model)];
+    auto known = poses_.find(entity.number);
+    if (known == poses_.end() || known->second.model != entity.model) {
+        // Take over an unused slot of the same model, else make one.
+        const auto unused = std::find_if(poses_.begin(), poses_.end(), [&](const auto& row) {
+            return !row.second.used && row.second.model == entity.model &&
+                   row.first != entity.number;
+        });
+        Pose pose;
+        if (unused != poses_.end()) {
+            pose = unused->second;
+            poses_.erase(unused);
+            pose.frame = entity.frame + 1; // differs: is written below
+        } else {
+            pose.model = entity.model;
+            pose.frame = entity.frame + 1;
+            const uint32_t skin = model.skin_materials.front();
+            pose.placed = place_model(model.name, md2_geometry(*model.md2, 0, 0, 0.0f, skin), 50);
+        }
+        known = poses_.insert_or_assign(entity.number, pose).first;
+    }
+    Pose& pose = known->second;
+    pose.used = true;
+    const int skin = std::clamp(entity.skin, 0, static_cast<int>(model.skin_materials.size()) - 1);
+    if (pose.frame != entity.frame || pose.old_frame != entity.old_frame ||
+        pose.backlerp != entity.backlerp || pose.skin != skin) {
+        pose.frame = entity.frame;
+        pose.old_frame = entity.old_frame;
+        pose.backlerp = entity.backlerp;
+        pose.skin = skin;
+        write_model(placed_[pose.placed],
+                    md2_geometry(*model.md2, pose.frame, pose.old_frame, pose.backlerp,
+                                 model.skin_materials[static_cast<size_t>(skin)]));
+        changed_.push_back(pose.placed);
+    }
+    return pose.placed;
+}
+
+void Scene::add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
+                         uint32_t first_light, uint64_t key, uint32_t entity) {
+    shader::Instance instance{};
+    instance.world_from_object = transform;
+    instance.object_from_world = inverse_transform(transform);
+    const auto before = previous_transforms_.find(key);
+    instance.previous_world_from_object =
+        before != previous_transforms_.end() ? before->second : transform;
+    instance.bvh_root = placed.root;
+    instance.first_light = first_light;
+    instance.entity = entity;
+    transforms_[key] = transform;
+    const auto index = static_cast<uint32_t>(instances_.size());
+    if (index > 0)
+        top_instances_.push_back(
+            {placed.bounds, transform, instance.object_from_world, placed.root, index});
+    instances_.push_back(instance);
+    instance_placed_.push_back(placed_index);
+}
+
+bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
+    // Place all models of this frame.
+    instances_.clear();
+    instance_placed_.clear();
+    top_instances_.clear();
+    previous_transforms_.swap(transforms_);
+    transforms_.clear();
+    for (auto& [number, pose] : poses_)
+        pose.used = false;
+    lights_.begin_frame(frame.light_styles, emissive_scale);
+    const glm::mat4x3 identity(1.0f);
+    add_instance(placed_[0], 0, identity, 0, 0, 0);
+    for (const refresh::Entity& entity : frame.entities) {
+        if (entity.model < 0 || entity.model >= static_cast<int>(models_.size())) continue;
+        const Model& model = models_[static_cast<size_t>(entity.model)];
+        const size_t index = model.placed ? *model.placed : pose_of(entity);
+        const Placed& placed = placed_[index];
+        const uint64_t key = entity_key_base + static_cast<uint32_t>(entity.number);
+        const glm::mat4x3 transform = rigid_transform(entity.origin, entity.angles);
+        const uint32_t first_light = lights_.place(key, placed.lights, transform, glm::vec3(1.0f));
+        add_instance(placed, index, transform, first_light, key,
+                     static_cast<uint32_t>(entity.number));
+    }
+    if (!frame.dynamic_lights.empty() && !dynamic_light_model_)
+        dynamic_light_model_ =
+            place_model("dynamic light", dynamic_light_geometry(materials_->lamp_material()), 0);
+    for (const refresh::DynamicLight& light : frame.dynamic_lights) {
+        if (!(light.radius > 0.0f)) continue;
+        const Placed& placed = placed_[*dynamic_light_model_];
+        const uint64_t key = dynamic_light_key_base + light.id;
+        const glm::mat4x3 transform = scale_transform(light.origin, light.radius);
+        const uint32_t first_light = lights_.place(key, placed.lights, transform, light.radiance);
+        add_instance(placed, *dynamic_light_model_, transform, first_light, key, light.id);
+    }
+    lights_.end_frame();
+    top_nodes_ = build_top_level(top_instances_);
+    update_features(instances_.size() > 1);
+
+    // Note whether the picture can differ from the last frame's.
+    const auto bytes = gpu::bytes_of(instances_);
+    const bool moved =
+        !std::equal(bytes.begin(), bytes.end(), instance_bytes_.begin(), instance_bytes_.end());
+    if (moved || static_dirty_ || !changed_.empty() || lights_.revision() != seen_light_revision_)
+        ++revision_;
+    instance_bytes_.assign(bytes.begin(), bytes.end());
+    seen_light_revision_ = lights_.revision();
+
+    // Make room.
+    bool renewed = static_dirty_ && upload_static();
+    renewed |= reserve(device_, instances_buffer_, bytes.size(), "instances");
+    renewed |= reserve(device_, top_buffer_, gpu::bytes_of(top_nodes_).size(), "top-level nodes");
+    if (reserve(device_, lights_buffer_, lights_.lights().size_bytes(), "lights")) {
+        renewed = true;
+        uploaded_light_revision_ = 0;
+    }
+    return renewed;
+}
+
+bool Scene::upload_static() {
+    device_.wait_idle();
+    replace(device_, nodes_buffer_, nodes_, "bottom-level nodes");
+    replace(device_, triangles_buffer_, triangles_, "triangles");
+    replace(device_, primitives_buffer_, primitives_, "primitives");
+    replace(device_, materials_buffer_, materials_->materials(), "materials");
+    replace(device_, textures_buffer_, textures_->headers(), "texture headers");
+    replace(device_, texels_buffer_, textures_->texels(), "texels");
+    static_dirty_ = false;
+    changed_.clear();
+    return true;
+}
+
+void Scene::upload(gpu::FrameCommands& commands) {
+    for (const size_t index : changed_) {
+        const Placed& placed = placed_[index];
+        const auto nodes = std::span(nodes_).subspan(placed.first_node_word, placed.node_words);
+        commands.upload(nodes_buffer_, placed.first_node_word * sizeof(glm::uvec4),
+                        std::as_bytes(nodes));
+        commands.upload(
+            triangles_buffer_, placed.first_triangle * sizeof(shader::BvhTriangle),
+            std::as_bytes(
+                std::span(triangles_).subspan(placed.first_triangle, placed.triangle_count)));
+        commands.upload(
+            primitives_buffer_, placed.first_triangle * sizeof(shader::Primitive),
+            std::as_bytes(
+                std::span(primitives_).subspan(placed.first_triangle, placed.triangle_count)));
+    }
+    changed_.clear();
+    commands.upload(instances_buffer_, 0, gpu::bytes_of(instances_));
+    commands.upload(top_buffer_, 0, gpu::bytes_of(top_nodes_));
+    if (uploaded_light_revision_ != lights_.revision()) {
+        commands.upload(lights_buffer_, 0, std::as_bytes(lights_.lights()));
+        uploaded_light_revision_ = lights_.revision();
+    }
+}
+
+void Scene::update_features(bool any_instances) {
+    SceneFeatures features;
+    for (const shader::Material& material : materials_->materials()) {
+        features.sky |= (material.flags & shader::MATERIAL_SKY) != 0;
+        features.gloss |= (material.flags & shader::MATERIAL_GLOSSY) != 0;
+        features.liquid |=
+            (material.flags & (shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)) != 0;
+        features.animation |= material.frame_count > 1;
+    }
+    features.sun = features.sky && sky_.sun_irradiance != glm::vec3(0.0f);
+    features.translucent =
+        std::any_of(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
+            return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
+        });
+    features.lights = !lights_.lights().empty();
+    features.instances = any_instances;
+    features_ = features;
+}
+
+Scene::TriangleRange Scene::instance_triangles(size_t instance) const {
+    const Placed& placed = placed_[instance_placed_[instance]];
+    return {placed.first_triangle, placed.triangle_count};
+}
+
+std::string Scene::describe() const {
+    const auto row = [](bool on, std::string_view what, const std::string& why) {
+        return fmt::format("  {:<16}{:<5}{}\n", what, on ? "on" : "off", why);
+    };
+    const auto count_material = [&](uint32_t flags) {
+        return std::count_if(materials_->materials().begin(), materials_->materials().end(),
+                             [&](const shader::Material& m) { return (m.flags & flags) != 0; });
+    };
+    const auto translucent =
+        std::count_if(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
+            return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
+        });
+    std::string text = fmt::format("{}: {} triangles, {} materials, {} textures, {} lights ({} of "
+                                   "the static world), {} instances\n",
+                                   level_->name, triangles_.size(), materials_->materials().size(),
+                                   textures_->headers().size(), lights_.lights().size(),
+                                   lights_.static_count(), instances_.size());
+    text += row(features_.lights, "lights",
+                fmt::format("{} emissive triangles", lights_.lights().size()));
+    text += row(features_.sky, "sky",
+                features_.sky ? fmt::format("faces show sky \"{}\"{}", sky_.name,
+                                            sky_.texture ? "" : " (no pictures: an even colour)")
+                              : "no sky faces");
+    text += row(features_.sun, "sun",
+                features_.sun ? "worldspawn has _sun_light" : "no _sun_light, or no sky faces");
+    text += row(features_.translucent, "translucency", fmt::format("{} triangles", translucent));
+    text += row(features_.gloss, "gloss",
+                fmt::format("{} materials", count_material(shader::MATERIAL_GLOSSY)));
+    text += row(features_.liquid, "liquids",
+                fmt::format("{} warping or flowing materials",
+                            count_material(shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)));
+    text += row(
+        features_.animation, "animation",
+        fmt::format("{} animated materials",
+                    std::count_if(materials_->materials().begin(), materials_->materials().end(),
+                                  [](const shader::Material& m) { return m.frame_count > 1; })));
+    text += row(
+        features_.instances, "instances",
+        fmt::format("{} besides the static world", instances_.empty() ? 0 : instances_.size() - 1));
+    uint64_t bytes = 0;
+    for (const gpu::Buffer* buffer :
+         {&nodes_buffer_, &triangles_buffer_, &primitives_buffer_, &top_buffer_, &instances_buffer_,
+          &materials_buffer_, &textures_buffer_, &texels_buffer_, &lights_buffer_,
+          &cluster_buffer_})
+        bytes += buffer->bytes();
+    text += fmt::format("  scene memory    {:.1f} MiB", static_cast<double>(bytes) / 1048576.0);
+    if (!textures_->missing().empty()) {
+        text += fmt::format("\n  {} missing textures:", textures_->missing().size());
+        for (const std::string& name : textures_->missing())
+            text += " " + name;
+    }
+    return text;
+}
+
+} // namespace vigil::vkpt

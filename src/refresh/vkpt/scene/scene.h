@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The scene on the GPU: models (triangles, hierarchies, primitives), materials, textures, and per
+// frame instances, top level and lights. Owns the buffers of set 0 that describe it, and knows
+// which features the level uses.
+#pragma once
+
+#include "formats/md2.h"
+#include "refresh/refresh.h"
+#include "refresh/vkpt/gpu/commands.h"
+#include "refresh/vkpt/scene/light_set.h"
+#include "refresh/vkpt/scene/material_set.h"
+#include "refresh/vkpt/scene/top_level.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace vigil::vkpt {
+
+/// What a level uses; each becomes a specialisation constant, so that a pass without it has no code
+/// for it.
+struct SceneFeatures {
+    bool sky = false;
+    bool sun = false;
+    bool translucent = false;
+    bool gloss = false;
+    bool liquid = false;
+    bool animation = false;
+    bool lights = false;
+    bool instances = false;
+    bool operator==(const SceneFeatures&) const = default;
+};
+
+/// Sky and sun as worldspawn describes them.
+struct SkyDescription {
+    std::string name;
+    std::optional<uint32_t> texture; // first of six headers
+    glm::vec3 radiance{0.0f};        // factor on texels, or the radiance itself without a texture
+    glm::vec3 sun_direction{0.0f, 0.0f, 1.0f};
+    glm::vec3 sun_irradiance{0.0f}; // on a surface that faces the sun; 0 without a sun
+};
+
+class Scene {
+public:
+    Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level);
+
+    refresh::ModelHandle register_model(std::string_view name);
+
+    /// Brings the scene to this frame on the host: instances, lights, poses. Returns true if a
+    /// buffer was made anew, so that descriptors must be written again; the GPU must be idle then,
+    /// which this function sees to.
+    bool prepare(const refresh::Frame& frame, float emissive_scale);
+    /// Records the copies of what changed; after prepare.
+    void upload(gpu::FrameCommands& commands);
+
+    const Level& level() const { return *level_; }
+    const SceneFeatures& features() const { return features_; }
+    const SkyDescription& sky() const { return sky_; }
+    const LightSet& lights() const { return lights_; }
+    /// Grows whenever anything that a picture shows differs from the frame before.
+    uint64_t revision() const { return revision_; }
+    std::string describe() const;
+
+    const gpu::Buffer& nodes() const { return nodes_buffer_; }
+    const gpu::Buffer& triangles() const { return triangles_buffer_; }
+    const gpu::Buffer& primitives() const { return primitives_buffer_; }
+    const gpu::Buffer& top_nodes() const { return top_buffer_; }
+    const gpu::Buffer& instances() const { return instances_buffer_; }
+    const gpu::Buffer& materials() const { return materials_buffer_; }
+    const gpu::Buffer& textures() const { return textures_buffer_; }
+    const gpu::Buffer& texels() const { return texels_buffer_; }
+    const gpu::Buffer& light_buffer() const { return lights_buffer_; }
+    const gpu::Buffer& cluster_tree() const { return cluster_buffer_; }
+
+    // What exporting needs (scene_export.h): everything in its host form.
+    const std::vector<shader::BvhTriangle>& host_triangles() const { return triangles_; }
+    const std::vector<shader::Primitive>& host_primitives() const { return primitives_; }
+    const std::vector<shader::Instance>& host_instances() const { return instances_; }
+    const MaterialSet& host_materials() const { return *materials_; }
+    const TextureSet& host_textures() const { return *textures_; }
+    /// Range of triangles of the model an instance shows.
+    struct TriangleRange {
+        uint32_t first;
+        uint32_t count;
+    };
+    TriangleRange instance_triangles(size_t instance) const;
+
+private:
+    /// A model, or a pose of an animated one, in the shared geometry buffers.
+    struct Placed {
+        std::string name;
+        uint32_t root = 0;
+        uint32_t first_triangle = 0;
+        uint32_t triangle_count = 0;
+        uint32_t first_node_word = 0;
+        uint32_t node_words = 0; // reserved
+        Bounds bounds;
+        std::vector<LightSource> lights;
+    };
+    struct Model {
+        std::string name;
+        std::optional<size_t> placed;   // rigid models
+        std::shared_ptr<const Md2> md2; // animated ones
+        std::vector<uint32_t> skin_materials;
+    };
+    struct Pose {
+        size_t placed = 0;
+        refresh::ModelHandle model = -1;
+        int frame = 0, old_frame = 0, skin = 0;
+        float backlerp = 0.0f;
+        bool used = false;
+    };
+
+    void read_sky();
+    size_t place_model(std::string name, ModelGeometry geometry, uint32_t spare_percent);
+    void write_model(Placed& placed, const ModelGeometry& geometry);
+    size_t pose_of(const refresh::Entity& entity);
+    void add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
+                      uint32_t first_light, uint64_t key, uint32_t entity);
+    void update_features(bool any_instances);
+    bool upload_static();
+
+    const gpu::Device& device_;
+    const FileSystem& files_;
+    std::shared_ptr<const Level> level_;
+    std::unique_ptr<TextureSet> textures_;
+    std::unique_ptr<MaterialSet> materials_;
+    SkyDescription sky_;
+    SceneFeatures features_;
+
+    // Geometry of all models, as the GPU has it.
+    std::vector<glm::uvec4> nodes_;
+    std::vector<shader::BvhTriangle> triangles_;
+    std::vector<shader::Primitive> primitives_;
+    std::vector<Placed> placed_;
+    std::vector<Model> models_;
+    std::map<std::string, refresh::ModelHandle, std::less<>> model_names_;
+    std::map<int, Pose> poses_;   // by entity number
+    std::vector<size_t> changed_; // placed models whose geometry was written since the last upload
+    std::optional<size_t> dynamic_light_model_;
+    bool static_dirty_ = true;
+
+    // This frame.
+    std::vector<shader::Instance> instances_;
+    std::vector<size_t> instance_placed_;
+    std::vector<TopLevelInstance> top_instances_;
+    std::vector<shader::TopNode> top_nodes_;
+    std::map<uint64_t, glm::mat4x3> previous_transforms_;
+    std::map<uint64_t, glm::mat4x3> transforms_;
+    LightSet lights_;
+    uint64_t uploaded_light_revision_ = 0;
+    uint64_t seen_light_revision_ = 0;
+    uint64_t revision_ = 1;
+    std::vector<std::byte> instance_bytes_; // of the frame before, to see changes
+
+    gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
+        instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,
+        cluster_buffer_;
+};
+
+} // namespace vigil::vkpt

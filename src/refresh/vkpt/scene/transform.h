@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Quake's angles as matrices: pitch (down positive), yaw (counter-clockwise from +x), roll, in
+// degrees.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace vigil::vkpt {
+
+/// Columns: forward, left, up; the rotation Rz(yaw) Ry(pitch) Rx(roll).
+inline glm::mat3 rotation_from_angles(const glm::vec3& angles) {
+    const glm::vec3 radians = glm::radians(angles);
+    const glm::vec3 c = glm::cos(radians), s = glm::sin(radians);
+    const glm::vec3 forward(c.x * c.y, c.x * s.y, -s.x);
+    const glm::vec3 left(s.z * s.x * c.y - c.z * s.y, s.z * s.x * s.y + c.z * c.y, s.z * c.x);
+    return {forward, left, glm::cross(forward, left)};
+}
+
+inline glm::mat4x3 rigid_transform(const glm::vec3& origin, const glm::vec3& angles) {
+    if (angles == glm::vec3(0.0f))
+        return {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), origin};
+    const glm::mat3 r = rotation_from_angles(angles);
+    return {r[0], r[1], r[2], origin};
+}
+
+inline glm::mat4x3 scale_transform(const glm::vec3& origin, float scale) {
+    return {glm::vec3(scale, 0, 0), glm::vec3(0, scale, 0), glm::vec3(0, 0, scale), origin};
+}
+
+/// Inverse of an affine transform with an invertible linear part.
+inline glm::mat4x3 inverse_transform(const glm::mat4x3& m) {
+    const glm::mat3 linear = glm::inverse(glm::mat3(m));
+    return {linear[0], linear[1], linear[2], -(linear * m[3])};
+}
+
+} // namespace vigil::vkpt
