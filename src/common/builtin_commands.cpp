@@ -43,12 +43,8 @@ std::vector<std::string> variable_names(CommandArguments finished) {
 // For `set`: names first, then the choices of the named variable.
 std::vector<std::string> names_then_choices(CommandArguments finished) {
     if (finished.empty()) return variable_names(finished);
-    std::vector<std::string> values;
     const CvarInfo* info = find_cvar(ascii_lower(finished[0]));
-    if (finished.size() == 1 && info && info->type == CvarType::Choice)
-        for (int i = 0; i < choice_count(info->choices); ++i)
-            values.emplace_back(choice_name(info->choices, i));
-    return values;
+    return finished.size() == 1 && info ? choice_names(*info) : std::vector<std::string>();
 }
 
 // `toggle NAME` flips a number between 0 and 1 and moves a choice on; `toggle NAME A B ...` goes
@@ -159,8 +155,7 @@ void add_help_commands(CommandRegistry& commands) {
         else if (alias != commands.aliases().end())
             log_info("{} is an alias for: {}", name, alias->second);
         else if (const CvarInfo* info = find_cvar(name))
-            log_info("{} \"{}\" (default \"{}\"; {}): {}", info->name, variables.get_text(name),
-                     cvar_default_text(*info), cvar_range_text(*info), info->help);
+            log_info("{}", describe_cvar(*info, variables.values()));
         else
             fail("{}: no command or variable has this name", arguments[0]);
     };

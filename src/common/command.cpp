@@ -207,8 +207,7 @@ void CommandRegistry::dispatch(const std::vector<std::string>& words) {
     } else if (const CvarInfo* info = find_cvar(name)) {
         if (arguments.size() > 1) fail("takes one value; put text with spaces in double quotes");
         if (arguments.empty())
-            log_info("{} \"{}\" (default \"{}\"; {}): {}", info->name, variables_.get_text(name),
-                     cvar_default_text(*info), cvar_range_text(*info), info->help);
+            log_info("{}", describe_cvar(*info, variables_.values()));
         else
             set_variable(name, arguments[0]);
     } else {

@@ -38,24 +38,14 @@ std::size_t last_word_begin(std::string_view line) {
     return begin;
 }
 
-std::vector<std::string> variable_values(std::string_view name) {
-    std::vector<std::string> values;
-    const CvarInfo* info = find_cvar(ascii_lower(name));
-    if (!info) return values;
-    if (info->type == CvarType::Choice)
-        for (int i = 0; i < choice_count(info->choices); ++i)
-            values.emplace_back(choice_name(info->choices, i));
-    return values;
-}
-
 } // namespace
 
 // All that the last word may become, given the finished words before it (at least one).
 std::vector<std::string>
 CommandRegistry::argument_candidates(const std::vector<std::string>& words) const {
     const std::string name = ascii_lower(words.front());
-    if (find_cvar(name))
-        return words.size() == 1 ? variable_values(name) : std::vector<std::string>();
+    if (const CvarInfo* info = find_cvar(name))
+        return words.size() == 1 ? choice_names(*info) : std::vector<std::string>();
     const auto command = commands_.find(name);
     if (command == commands_.end() || !command->second.complete) return {};
     return command->second.complete(std::span(words).subspan(1));

@@ -131,6 +131,19 @@ std::string cvar_range_text(const CvarInfo& info) {
     return std::string(info.choices);
 }
 
+std::string describe_cvar(const CvarInfo& info, const CvarValues& values) {
+    return fmt::format("{} \"{}\" (default \"{}\"; {}): {}", info.name, cvar_text(info, values),
+                       cvar_default_text(info), cvar_range_text(info), info.help);
+}
+
+std::vector<std::string> choice_names(const CvarInfo& info) {
+    std::vector<std::string> names;
+    if (info.type == CvarType::Choice)
+        for (int i = 0; i < choice_count(info.choices); ++i)
+            names.emplace_back(choice_name(info.choices, i));
+    return names;
+}
+
 std::vector<const CvarInfo*> list_cvars(std::string_view prefix) {
     std::vector<const CvarInfo*> rows;
     for (const CvarInfo& info : cvar_infos)

@@ -206,6 +206,12 @@ std::vector<const CvarInfo*> list_cvars(std::string_view prefix = {});
 std::string cvar_text(const CvarInfo& info, const CvarValues& values);
 std::string cvar_default_text(const CvarInfo& info);
 
+/// One line about a variable: value, default, range and help.
+std::string describe_cvar(const CvarInfo& info, const CvarValues& values);
+
+/// The names of a Choice, in order; none for other types.
+std::vector<std::string> choice_names(const CvarInfo& info);
+
 /// What a person may type: "0 to 1", "sll|uniform|power", "text".
 std::string cvar_range_text(const CvarInfo& info);
 

@@ -45,9 +45,11 @@ bool is_numbered_pak(std::string_view name) {
 
 /// The folder `name` below `basedir`, in whatever case it is spelled there.
 fs::path game_folder(const fs::path& basedir, std::string_view name) {
-    if (fs::path exact = basedir / name; fs::is_directory(exact)) return exact;
+    std::error_code ignored; // what cannot be looked at is no folder for us
+    if (fs::path exact = basedir / name; fs::is_directory(exact, ignored)) return exact;
     for (const fs::path& entry : sorted_entries(basedir))
-        if (equal_nocase(entry.filename().string(), name) && fs::is_directory(entry)) return entry;
+        if (equal_nocase(entry.filename().string(), name) && fs::is_directory(entry, ignored))
+            return entry;
     fail("{}: has no folder {}; basedir and game say where game data is", basedir.string(), name);
 }
 
