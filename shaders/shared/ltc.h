@@ -30,10 +30,11 @@ struct LtcEntry {
     vec2 albedo; // directional albedo = f0 * x + y (Schlick)
 };
 
-/// angle / sin(angle) / 2 for the angle between two unit vectors with the given dot product.
-/// Maximal relative error 3e-6 plus rounding for cosine >= 0 (degree 6 minimax polynomial, our own
-/// fit); for negative ones the error grows as 1e-7 / (1 + cosine) and the result stays below 2.3e3.
-SHADER_FN float half_angle_over_sine(float cosine) {
+/// angle / sin(angle) / 2 of an angle in [0, pi] from its cosine and its sine squared. Maximal
+/// relative error 3e-6 plus that of its arguments (degree 6 minimax polynomial for angles up to pi
+/// / 2, our own fit; the rest by symmetry, where the sine must come from a cross product to keep
+/// its digits).
+SHADER_FN float half_angle_over_sine(float cosine, float sine_squared) {
     float x = min(abs(cosine), 1.0f);
     float p = 0.0211602020f * x - 0.0972638255f;
     p = p * x + 0.2101362120f;
@@ -41,7 +42,7 @@ SHADER_FN float half_angle_over_sine(float cosine) {
     p = p * x + 0.3890132285f;
     p = p * x - 0.4997848590f;
     p = p * x + 0.7853960550f;
-    return cosine >= 0.0f ? p : 0.5f * PI * inversesqrt(max(1.0f - x * x, 4.6e-7f)) - p;
+    return cosine >= 0.0f ? p : 0.5f * PI * inversesqrt(max(sine_squared, 1e-12f)) - p;
 }
 
 /// Unit vector; the zero vector stays finite.
@@ -53,7 +54,8 @@ SHADER_FN vec3 safe_normalize(vec3 v) {
 /// origin, times the normal's component along the plane through both and the origin, over 2 pi.
 /// Unit vectors.
 SHADER_FN float edge_form_factor(vec3 normal, vec3 a, vec3 b) {
-    return half_angle_over_sine(dot(a, b)) * dot(normal, cross(b, a)) * INVERSE_PI;
+    vec3 plane = cross(b, a);
+    return half_angle_over_sine(dot(a, b), dot(plane, plane)) * dot(normal, plane) * INVERSE_PI;
 }
 
 /// Form factor of a triangle by its contour, cut at the horizon. `height` holds the vertices'
