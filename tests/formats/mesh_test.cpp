@@ -105,7 +105,8 @@ TEST(Mesh, QuantizedPositionsAreUnderstood) {
     append_list<int16_t>(binary, {0, 0, 0, 0, 32767, 0, 0, 0, 0, 16384, -32768, 0});
     append_list<int8_t>(binary, {0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0});
     const std::string json =
-        R"({"extensionsRequired":["KHR_mesh_quantization"],"nodes":[{"mesh":0,"scale":[64,64,64]}],)"
+        R"({"extensionsRequired":["KHR_mesh_quantization"],)"
+        R"("nodes":[{"mesh":0,"scale":[64,64,64]}],)"
         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1}}]}],)"
         R"("buffers":[{"byteLength":36}],"bufferViews":[)"
         R"({"buffer":0,"byteLength":24,"byteStride":8},)"
