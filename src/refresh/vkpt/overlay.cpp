@@ -80,6 +80,16 @@ gpu::Handle<VkDescriptorPool> make_descriptor_pool(const gpu::Device& device) {
     return {device.handle(), pool, vkDestroyDescriptorPool};
 }
 
+void upload_fonts([[maybe_unused]] const gpu::Device& device) {
+#if IMGUI_VERSION_NUM >= 19000
+    ImGui_ImplVulkan_CreateFontsTexture(); // submits and waits by itself
+#else
+    gpu::run_now(device,
+                 [](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
+}
+
 } // namespace
 
 Overlay::Overlay(const gpu::Device& device, VkFormat picture_format, uint32_t frames_in_flight)
@@ -110,10 +120,7 @@ void Overlay::start_imgui() {
     info.CheckVkResultFn = check_imgui;
     try {
         ImGui_ImplVulkan_Init(&info, render_pass_.get());
-        gpu::run_now(*device_, [](VkCommandBuffer commands) {
-            ImGui_ImplVulkan_CreateFontsTexture(commands);
-        });
-        ImGui_ImplVulkan_DestroyFontUploadObjects();
+        upload_fonts(*device_);
     } catch (...) {
         stop_imgui();
         throw;
