@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A renderer that draws nothing: it records what it was asked to do, gives pictures of one colour
+// that count the frames, and fails where a test tells it to.
+#pragma once
+
+#include "common/error.h"
+#include "refresh/refresh.h"
+#include "world/level.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vigil::client {
+
+/// What happened, kept outside so that it outlives the renderer.
+struct RenderLog {
+    std::vector<std::string> calls; // "map tiny", "render", "picture", "radiance", "export PATH"
+    std::vector<refresh::View> views;
+    std::vector<double> times;
+    std::vector<float> style_0;
+    std::vector<float> style_1;
+    std::vector<refresh::Entity> entities; // of the last frame
+    size_t dynamic_lights = 0;             // in the last frame
+    std::vector<std::string> models;       // registered, in order
+
+    std::set<std::string, std::less<>> broken_models;
+    int fail_at_frame = -1; // render throws in this frame
+
+    size_t count(std::string_view call) const {
+        return static_cast<size_t>(std::count(calls.begin(), calls.end(), call));
+    }
+};
+
+class FakeRenderer final : public refresh::Renderer {
+public:
+    explicit FakeRenderer(RenderLog& log) : log_(log) {}
+
+    void load_level(std::shared_ptr<const Level> level) override {
+        log_.calls.push_back("map " + level->name);
+        level_ = std::move(level);
+    }
+    refresh::ModelHandle register_model(std::string_view name) override {
+        if (log_.broken_models.contains(name)) fail("{}: broken", name);
+        log_.models.emplace_back(name);
+        return static_cast<refresh::ModelHandle>(log_.models.size()) - 1;
+    }
+    void render(const refresh::Frame& frame) override {
+        if (log_.fail_at_frame == frames_) fail("the device was lost");
+        ++frames_;
+        log_.calls.emplace_back("render");
+        log_.views.push_back(frame.view);
+        log_.times.push_back(frame.time_s);
+        log_.style_0.push_back(frame.light_styles[0]);
+        log_.style_1.push_back(frame.light_styles[1]);
+        log_.entities.assign(frame.entities.begin(), frame.entities.end());
+        log_.dynamic_lights = frame.dynamic_lights.size();
+    }
+    refresh::Picture read_picture(bool) override {
+        log_.calls.emplace_back("picture");
+        return {4, 2, std::vector<uint8_t>(32, static_cast<uint8_t>(frames_))};
+    }
+    refresh::RadiancePicture read_radiance() override {
+        log_.calls.emplace_back("radiance");
+        return {2, 1, frames_, {0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f}};
+    }
+    std::vector<refresh::PassTime> pass_times() override {
+        return {{"primary", 1.0}, {"shade", 3.0}};
+    }
+    std::string describe_scene() const override { return "a fake scene"; }
+    std::string describe_device() const override { return "a fake device"; }
+    void export_scene(const refresh::Frame&, const std::string& path) override {
+        log_.calls.push_back("export " + path);
+    }
+
+private:
+    RenderLog& log_;
+    std::shared_ptr<const Level> level_;
+    int frames_ = 0;
+};
+
+} // namespace vigil::client

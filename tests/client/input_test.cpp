@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Keys, bindings and where events go.
+#include "client/client.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace vigil::client {
+namespace {
+
+using namespace platform;
+
+TEST(Keys, EveryKeyHasOneNameThatFindsIt) {
+    std::set<std::string_view> names;
+    for (int i = 1; i < key_count; ++i) {
+        const Key key = static_cast<Key>(i);
+        EXPECT_FALSE(key_name(key).empty()) << i;
+        EXPECT_EQ(key_from_name(key_name(key)), key) << key_name(key);
+        EXPECT_TRUE(names.insert(key_name(key)).second) << key_name(key);
+    }
+    EXPECT_EQ(key_from_name("uparrow"), Key::Up);
+    EXPECT_EQ(key_from_name(";"), Key::Semicolon);
+    EXPECT_FALSE(key_from_name(""));
+    EXPECT_FALSE(key_from_name("nokey"));
+}
+
+TEST(Window, HeadlessOpensNone) {
+    EXPECT_EQ(open_window("headless", {}), nullptr);
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    EXPECT_FALSE(wants_window("auto"));
+    EXPECT_TRUE(wants_window("sdl"));
+    EXPECT_EQ(open_window("auto", {}), nullptr);
+}
+
+TEST(KeyBindings, HeldCommandsNameTheirKey) {
+    KeyBindings bindings;
+    bindings.bind(Key::X, "+forward");
+    EXPECT_EQ(bindings.press(Key::X), "+forward x");
+    bindings.bind(Key::X, "viewpos"); // bound anew while held
+    EXPECT_EQ(bindings.release(Key::X), "-forward x");
+    EXPECT_EQ(bindings.press(Key::X), "viewpos");
+    EXPECT_EQ(bindings.release(Key::X), "");
+}
+
+TEST(KeyBindings, ArchiveHoldsOnlyWhatChanged) {
+    KeyBindings bindings;
+    EXPECT_EQ(bindings.archive_text(), "");
+    bindings.bind(Key::F5, "map mine; wait 2");
+    bindings.bind(Key::W, "");
+    const std::string text = bindings.archive_text();
+
+    CvarRegistry variables;
+    CommandRegistry commands(variables);
+    KeyBindings other;
+    add_binding_commands(commands, other);
+    commands.execute_text(text);
+    EXPECT_EQ(commands.failures(), 0);
+    EXPECT_EQ(other.command(Key::F5), "map mine; wait 2");
+    EXPECT_EQ(other.command(Key::W), "");
+    EXPECT_EQ(other.archive_text(), text);
+}
+
+TEST(KeyBindings, CommandsReportKeysThatDoNotExist) {
+    CvarRegistry variables;
+    CommandRegistry commands(variables);
+    KeyBindings bindings;
+    add_binding_commands(commands, bindings);
+    commands.execute_text("bind w echo hi\nbind nokey quit\nunbind q\nbindlist");
+    EXPECT_EQ(commands.failures(), 1);
+    EXPECT_EQ(bindings.command(Key::W), "echo hi");
+    EXPECT_EQ(bindings.command(Key::Q), "");
+}
+
+class InputTest : public testing::Test {
+protected:
+    InputTest() { buttons_.add_commands(commands_); }
+
+    void key(Key key, bool down, bool repeat = false) { send(KeyEvent{key, down, repeat}); }
+    void send(const Event& event) { input_.handle(event, !console_.is_open()); }
+
+    CvarRegistry variables_;
+    CommandRegistry commands_{variables_};
+    KeyBindings bindings_;
+    Console console_{commands_};
+    Camera camera_;
+    HeldButtons buttons_;
+    Input input_{commands_, bindings_, console_, camera_};
+};
+
+TEST_F(InputTest, AHeldKeyFliesUntilItComesUp) {
+    key(Key::W, true);
+    EXPECT_EQ(buttons_.take_frame().forward, 1.0f);
+    key(Key::W, true, true); // auto-repeat changes nothing
+    key(Key::Up, true);      // a second key for the same command
+    key(Key::W, false);
+    EXPECT_EQ(buttons_.take_frame().forward, 1.0f);
+    key(Key::Up, false);
+    EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
+}
+
+TEST_F(InputTest, AShortPressWithinOneFrameStillMoves) {
+    key(Key::D, true);
+    key(Key::D, false);
+    EXPECT_EQ(buttons_.take_frame().right, 0.5f);
+    EXPECT_EQ(buttons_.take_frame().right, 0.0f);
+}
+
+TEST_F(InputTest, TheConsoleTakesKeysAndTextWhileOpen) {
+    key(Key::W, true);
+    key(Key::Grave, true);
+    send(TextEvent{"`"}); // typed by the key that opens the console
+    key(Key::Grave, false);
+    EXPECT_TRUE(console_.is_open());
+    send(TextEvent{"ec"});
+    key(Key::W, false); // the key held before must not be stuck
+    EXPECT_EQ(buttons_.take_frame().forward, 0.5f - 0.5f + 0.5f);
+    EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
+    EXPECT_EQ(console_.input().text(), "ec");
+    key(Key::S, true);
+    EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
+    key(Key::Escape, true);
+    EXPECT_FALSE(console_.is_open());
+}
+
+TEST_F(InputTest, FastTypingWithinOneFrameStaysInOrder) {
+    console_.set_open(true);
+    send(TextEvent{"echo ab"});
+    key(Key::Backspace, true);
+    key(Key::Backspace, false);
+    send(TextEvent{"c"});
+    key(Key::Enter, true);
+    key(Key::Enter, false);
+    console_.update(0.0);
+    EXPECT_EQ(console_.history().lines().back(), "echo ac");
+}
+
+TEST_F(InputTest, ControlLettersEditInsteadOfTyping) {
+    console_.set_open(true);
+    send(TextEvent{"one two"});
+    key(Key::Ctrl, true);
+    key(Key::W, true);
+    send(TextEvent{"w"}); // some systems report the letter as well
+    key(Key::W, false);
+    key(Key::Ctrl, false);
+    EXPECT_EQ(console_.input().text(), "one ");
+}
+
+TEST_F(InputTest, LosingTheKeyboardReleasesEverything) {
+    key(Key::W, true);
+    key(Key::Shift, true);
+    (void)buttons_.take_frame();
+    send(FocusEvent{false});
+    EXPECT_FALSE(input_.focused());
+    const FlightInput held = buttons_.take_frame();
+    EXPECT_EQ(held.forward, 0.0f);
+    EXPECT_FALSE(held.fast);
+}
+
+TEST_F(InputTest, TheMouseTurnsTheViewAsInQuake) {
+    variables_.set("sensitivity", "1");
+    send(MouseMoveEvent{{}, {100.0f, 50.0f}});
+    EXPECT_NEAR(camera_.angles().y, -2.2f, 1e-4f);
+    EXPECT_NEAR(camera_.angles().x, 1.1f, 1e-4f);
+    send(MouseMoveEvent{{}, {0.0f, 1e6f}});
+    EXPECT_EQ(camera_.angles().x, 90.0f); // not over the top
+    console_.set_open(true);
+    send(MouseMoveEvent{{}, {0.0f, -100.0f}});
+    EXPECT_EQ(camera_.angles().x, 90.0f);
+}
+
+TEST_F(InputTest, ClosingIsAskedForOnce) {
+    EXPECT_FALSE(input_.close_requested());
+    send(CloseEvent{});
+    EXPECT_TRUE(input_.close_requested());
+}
+
+} // namespace
+} // namespace vigil::client

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The whole program without a display and without a GPU: command line in, calls of the renderer,
+// files and the exit status out.
+#include "client/program.h"
+
+#include "client/client.h"
+#include "common/cvar.h"
+#include "common/log.h"
+#include "fake_renderer.h"
+#include "test_game.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace vigil::client {
+namespace {
+
+class ProgramTest : public testing::Test {
+protected:
+    ProgramTest() {
+        for (const CvarInfo& info : cvar_infos)
+            cvars().reset(info.name);
+        sink_ = add_log_sink([this](Severity severity, std::string_view line) {
+            (severity == Severity::Error ? errors_ : output_) += std::string(line) + "\n";
+        });
+    }
+    ~ProgramTest() override { remove_log_sink(sink_); }
+
+    /// Runs headless with these words, split at spaces.
+    int run(const std::string& text) {
+        std::istringstream stream("+set basedir " + game_.basedir() + " +set outdir " +
+                                  game_.outdir() + " +set vid_driver headless " + text);
+        std::vector<std::string> words;
+        for (std::string word; stream >> word;)
+            words.push_back(word);
+        std::vector<const char*> pointers;
+        for (const std::string& word : words)
+            pointers.push_back(word.c_str());
+        return run_program(pointers, [this](FileSystem&, refresh::SurfaceProvider* surface) {
+            EXPECT_EQ(surface, nullptr);
+            return std::make_unique<FakeRenderer>(render_);
+        });
+    }
+
+    TestGame game_;
+    RenderLog render_;
+    std::string output_;
+    std::string errors_;
+    int sink_ = 0;
+};
+
+TEST_F(ProgramTest, RendersWaitsAndTakesAPicture) {
+    EXPECT_EQ(run("+map tiny +wait 4 +screenshot a +quit"), 0);
+    EXPECT_EQ(errors_, "");
+    EXPECT_EQ(render_.calls, (std::vector<std::string>{"map tiny", "render", "render", "render",
+                                                       "render", "picture"}));
+    EXPECT_TRUE(game_.exists("out/a.png"));
+    // The eye is 22 units over the start; each frame lasts 1/60 s.
+    EXPECT_EQ(render_.views[0].origin, glm::vec3(32, 32, 46));
+    EXPECT_EQ(render_.views[0].angles, glm::vec3(0, 90, 0));
+    EXPECT_NEAR(render_.times[3] - render_.times[2], 1.0 / 60.0, 1e-9);
+}
+
+TEST_F(ProgramTest, EndsByItselfWhenNoCommandWaits) {
+    EXPECT_EQ(run("+map tiny +wait 2"), 0);
+    EXPECT_EQ(render_.count("render"), 2u);
+    EXPECT_EQ(run(""), 0);
+    EXPECT_NE(output_.find("nothing to do"), std::string::npos);
+}
+
+TEST_F(ProgramTest, APictureShowsWhatTheCommandsBeforeItChanged) {
+    EXPECT_EQ(run("+map tiny +screenshot +setviewpos 1 2 3 10 20 30 +screenshot +screenshot"), 0);
+    EXPECT_EQ(render_.calls, (std::vector<std::string>{"map tiny", "render", "picture", "render",
+                                                       "picture", "picture"}));
+    EXPECT_EQ(render_.views[1].origin, glm::vec3(1, 2, 3));
+    EXPECT_EQ(render_.views[1].angles, glm::vec3(10, 20, 30));
+    EXPECT_TRUE(game_.exists("out/vigil0000.png"));
+    EXPECT_TRUE(game_.exists("out/vigil0002.png"));
+    EXPECT_NE(output_.find("vigil0002.png"), std::string::npos);
+}
+
+TEST_F(ProgramTest, SettingsThatNoPictureShowsDoNotRenderAgain) {
+    EXPECT_EQ(run("+map tiny +wait 1 +set sensitivity 5 +screenshot a +set pt_spp 2 +screenshot b"),
+              0);
+    EXPECT_EQ(render_.count("render"), 2u);
+}
+
+TEST_F(ProgramTest, FailedCommandsOfTheCommandLineSetTheExitStatus) {
+    EXPECT_EQ(run("+map nowhere +map tiny +wait 1"), 1);
+    EXPECT_NE(errors_.find("maps/nowhere.bsp"), std::string::npos);
+    EXPECT_EQ(render_.count("render"), 1u); // what follows still runs
+    EXPECT_EQ(run("+screenshot"), 1);       // no level
+    EXPECT_EQ(run("+map tiny +screenshot ../../escape"), 1);
+    EXPECT_EQ(run("+map tiny +screenshot_hdr"), 1);
+    EXPECT_EQ(run("+no_such_command"), 1);
+}
+
+TEST_F(ProgramTest, ABrokenLevelKeepsTheOneBefore) {
+    game_.write("data/baseq2/maps/broken.bsp", "IBSP, but no more");
+    EXPECT_EQ(run("+map tiny +map broken +wait 1 +screenshot a"), 1);
+    EXPECT_NE(errors_.find("broken.bsp"), std::string::npos);
+    EXPECT_EQ(render_.calls, (std::vector<std::string>{"map tiny", "render", "picture"}));
+}
+
+TEST_F(ProgramTest, CommandsRunInTheOrderGiven) {
+    EXPECT_EQ(run("+set pt_spp 2 +map tiny +set pt_spp 3 +wait 1 +echo spp $pt_spp +reset pt_spp "
+                  "+echo now $pt_spp"),
+              0);
+    EXPECT_LT(output_.find("spp 3"), output_.find("now 1"));
+}
+
+TEST_F(ProgramTest, TheGamesAutoexecRunsBeforeTheCommandLine) {
+    game_.write("data/baseq2/autoexec.cfg", "set pt_spp 7\nset pt_bounces 0\nno_such_thing\n");
+    EXPECT_EQ(run("+set pt_bounces 1 +echo $pt_spp $pt_bounces"), 0); // its faults are not ours
+    EXPECT_NE(output_.find("7 1"), std::string::npos);
+}
+
+TEST_F(ProgramTest, HeadlessNeitherReadsNorWritesThePlayersConfiguration) {
+    game_.write("config/vigil/config.cfg", "set fov 120\n");
+    EXPECT_EQ(run("+set fov 91 +echo $fov"), 0);
+    EXPECT_NE(output_.find("91"), std::string::npos);
+    EXPECT_EQ(game_.read("config/vigil/config.cfg"), "set fov 120\n");
+    EXPECT_EQ(run("+reset fov +echo fov $fov"), 0);
+    EXPECT_NE(output_.find("fov 90"), std::string::npos);
+}
+
+TEST_F(ProgramTest, ALostDeviceEndsWithAMessage) {
+    render_.fail_at_frame = 2;
+    EXPECT_EQ(run("+map tiny +wait 10 +screenshot a"), 1);
+    EXPECT_NE(errors_.find("the device was lost"), std::string::npos);
+    EXPECT_FALSE(game_.exists("out/a.png"));
+}
+
+TEST_F(ProgramTest, AMissingRendererEndsWithItsMessage) {
+    const std::string basedir = game_.basedir();
+    const std::vector<const char*> words{"+set", "basedir",    basedir.c_str(),
+                                         "+set", "vid_driver", "headless"};
+    const MakeRenderer none = [](FileSystem&,
+                                 refresh::SurfaceProvider*) -> std::unique_ptr<refresh::Renderer> {
+        fail("install a driver");
+    };
+    EXPECT_EQ(run_program(words, none), 1);
+    EXPECT_EQ(errors_, "install a driver\n");
+}
+
+TEST_F(ProgramTest, WrongCommandLinesAreRefused) {
+    EXPECT_EQ(run("+set pt_spp"), 1);
+    const std::vector<const char*> words{"warehouse"};
+    EXPECT_EQ(run_program(words, {}), 1);
+    EXPECT_NE(errors_.find("warehouse"), std::string::npos);
+    const std::vector<const char*> help{"--help"};
+    EXPECT_EQ(run_program(help, {}), 0);
+}
+
+TEST_F(ProgramTest, FliesARouteAndReports) {
+    EXPECT_EQ(run("+set timedemo_json fly.json +map tiny +fly line 10 shot 2 +echo landed +quit"),
+              0);
+    EXPECT_EQ(errors_, "");
+    EXPECT_EQ(render_.count("render"), 6u); // 0.5 s at 10 fps, both ends
+    EXPECT_EQ(render_.count("picture"), 3u);
+    EXPECT_TRUE(game_.exists("out/shot_000.png"));
+    EXPECT_TRUE(game_.exists("out/shot_002.png"));
+    EXPECT_FALSE(game_.exists("out/shot_003.png"));
+    EXPECT_EQ(render_.views.front().origin, glm::vec3(0, 0, 10));
+    EXPECT_EQ(render_.views.back().origin, glm::vec3(100, 0, 10));
+    EXPECT_NEAR(render_.times[1] - render_.times[0], 0.1, 1e-9);
+    EXPECT_LT(output_.find("6 frames, "), output_.find("landed"));
+    EXPECT_NE(output_.find(" fps\n"), std::string::npos);
+
+    const auto report = nlohmann::json::parse(game_.read("out/fly.json"));
+    EXPECT_EQ(report["frames"].size(), 6u);
+    EXPECT_EQ(report["frames"][0]["passes_ms"]["shade"], 3.0);
+    EXPECT_EQ(report["device"], "a fake device");
+    EXPECT_EQ(report["level"], "tiny");
+    EXPECT_EQ(report["variables"]["timedemo_json"], "fly.json");
+    EXPECT_FALSE(report["variables"].contains("pt_nee"));
+}
+
+TEST_F(ProgramTest, AFlightThatCannotWriteStopsAndFails) {
+    game_.write("out/shot_001.png/occupied", "a folder where a picture should go");
+    EXPECT_EQ(run("+map tiny +fly line 10 shot 2 +echo after"), 1);
+    EXPECT_NE(errors_.find("shot_001.png"), std::string::npos);
+    EXPECT_NE(output_.find("after"), std::string::npos);
+    EXPECT_EQ(run("+map tiny +fly nowhere"), 1);
+    EXPECT_NE(errors_.find("line"), std::string::npos); // the routes there are
+}
+
+TEST_F(ProgramTest, ChangesTheLevelsLightsAndModels) {
+    EXPECT_EQ(run("+map tiny +turn lamp 30 5 +lightstyle 0 0.5 +lightstyle 1 am "
+                  "+dlight 3 1 2 3 4 9 9 9 +dlight 3 1 2 3 5 9 9 9 +wait 1 "
+                  "+dlight_clear +screenshot b"),
+              0);
+    EXPECT_EQ(errors_, "");
+    EXPECT_EQ(render_.style_0[0], 0.5f);
+    EXPECT_EQ(render_.style_1[0], 0.0f);
+    ASSERT_EQ(render_.entities.size(), 1u);
+    EXPECT_EQ(render_.entities[0].number, 2);
+    EXPECT_EQ(render_.entities[0].origin, glm::vec3(1, 2, 3));
+    EXPECT_EQ(render_.entities[0].angles, glm::vec3(5, 30, 0));
+    EXPECT_EQ(render_.dynamic_lights, 0u);
+    EXPECT_EQ(render_.count("render"), 2u); // dlight_clear made the picture stale
+    EXPECT_EQ(run("+map tiny +turn nobody 30"), 1);
+    EXPECT_EQ(run("+map tiny +dlight 1 0 0 0 -1 1 1 1"), 1);
+}
+
+TEST_F(ProgramTest, SteadyLightsOnRequest) {
+    EXPECT_EQ(run("+set pt_light_styles 0 +map tiny +lightstyle 0 0.5 +wait 1"), 0);
+    EXPECT_EQ(render_.style_0[0], 1.0f);
+}
+
+TEST_F(ProgramTest, TimeStandsStillWhileFramesAreAveraged) {
+    EXPECT_EQ(run("+set pt_accumulate 1 +map tiny +wait 3 +screenshot_hdr sum"), 0);
+    EXPECT_EQ(render_.times, (std::vector<double>{0.0, 0.0, 0.0}));
+    EXPECT_TRUE(game_.exists("out/sum.exr"));
+}
+
+TEST_F(ProgramTest, PrintsWhatIsAskedFor) {
+    EXPECT_EQ(run("+maps +map tiny +scene +device +wait 2 +passes +viewpos +noclip +bindlist "
+                  "+exportscene tiny"),
+              0);
+    for (const std::string_view text :
+         {"tiny\n", "1 levels", "a fake scene", "a fake device", "over 2 frames", "shade",
+          "setviewpos 32.00 32.00 46.00 0.00 90.00 0.00", "bind w \"+forward\"", "tiny.gltf"}) {
+        EXPECT_NE(output_.find(text), std::string::npos) << text;
+    }
+    EXPECT_EQ(render_.calls.back(), "export " + game_.outdir() + "/tiny.gltf");
+}
+
+TEST_F(ProgramTest, ModelsThatCannotBeLoadedAreLeftOut) {
+    render_.broken_models.insert("*1");
+    EXPECT_EQ(run("+map tiny +wait 1"), 0);
+    EXPECT_TRUE(render_.entities.empty());
+    EXPECT_NE(output_.find("left out"), std::string::npos);
+}
+
+TEST_F(ProgramTest, QuitDropsWhatFollows) {
+    EXPECT_EQ(run("+map tiny +wait 1 +quit +wait 5 +echo never"), 0);
+    EXPECT_EQ(output_.find("never"), std::string::npos);
+    EXPECT_EQ(render_.count("render"), 1u);
+}
+
+} // namespace
+} // namespace vigil::client
