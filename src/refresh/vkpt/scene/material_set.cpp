@@ -100,9 +100,17 @@ const MaterialSet::WorldMaterial& MaterialSet::world_material(const Bsp& bsp, ui
         material.roughness = gloss->second.roughness;
         material.specular = gloss->second.specular;
     }
-    result.index = static_cast<uint32_t>(materials_.size());
-    materials_.push_back(material);
+    result.index = add(material);
     return by_texinfo_.emplace(texinfo, result).first->second;
+}
+
+uint32_t MaterialSet::add(const shader::Material& material) {
+    static_assert(sizeof(shader::Material) == 8 * sizeof(uint32_t)); // no padding: bytes tell equality
+    const std::string content(reinterpret_cast<const char*>(&material), sizeof(material));
+    const auto next = static_cast<uint32_t>(materials_.size());
+    const auto [row, added] = by_content_.emplace(content, next);
+    if (added) materials_.push_back(material);
+    return row->second;
 }
 
 uint32_t MaterialSet::mesh_material(const MeshMaterial& source) {
@@ -121,13 +129,11 @@ uint32_t MaterialSet::mesh_material(const MeshMaterial& source) {
         material.flags |= shader::MATERIAL_EMISSIVE;
         material.inverse_mean = glm::vec3(0.0f); // its emission has no texture
     }
-    materials_.push_back(material);
-    return static_cast<uint32_t>(materials_.size() - 1);
+    return add(material);
 }
 
 uint32_t MaterialSet::picture_material(const std::string& path) {
-    materials_.push_back(plain_material(textures_.picture(path)));
-    return static_cast<uint32_t>(materials_.size() - 1);
+    return add(plain_material(textures_.picture(path)));
 }
 
 uint32_t MaterialSet::lamp_material() {

@@ -50,11 +50,14 @@ private:
         float specular;
     };
     void load_gloss(const FileSystem& files);
+    /// Index of an equal material, or of this one, added.
+    uint32_t add(const shader::Material& material);
 
     const FileSystem& files_;
     TextureSet& textures_;
     std::map<std::string, Gloss> gloss_; // by lower-case texture name
     std::vector<shader::Material> materials_;
+    std::map<std::string, uint32_t> by_content_; // the bytes of a material
     std::map<uint32_t, WorldMaterial> by_texinfo_;
 };
 

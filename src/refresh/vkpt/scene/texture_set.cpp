@@ -187,7 +187,12 @@ const TextureSet::Entry& TextureSet::flat(glm::vec3 color) {
 
 uint32_t TextureSet::consecutive(const std::vector<const Entry*>& frames) {
     if (frames.size() == 1) return frames.front()->header;
+    std::vector<uint32_t> key;
+    for (const Entry* frame : frames)
+        key.push_back(frame->header);
     const auto first = static_cast<uint32_t>(headers_.size());
+    const auto [row, added] = animations_.emplace(key, first);
+    if (!added) return row->second;
     for (const Entry* frame : frames)
         headers_.push_back(shader::Texture(headers_[frame->header]));
     return first;

@@ -7,6 +7,7 @@
 #include "formats/image.h"
 #include "shared/scene_types.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +59,7 @@ private:
 
     const FileSystem& files_;
     std::unordered_map<std::string, Entry> entries_;
+    std::map<std::vector<uint32_t>, uint32_t> animations_; // by the frames' headers
     std::vector<shader::Texture> headers_;
     std::vector<uint32_t> texels_;
     std::vector<std::string> missing_;
