@@ -54,7 +54,7 @@ void Client::run() {
     if (!headless() && session_.level() == nullptr && commands_.idle()) console_.set_open(true);
     last_frame_s_ = clock_.seconds();
     while (!quitting_) {
-        if (headless() && commands_.idle()) break;
+        if (headless() && commands_.idle() && !flying()) break;
         frame();
     }
 }
@@ -145,13 +145,7 @@ void Client::load_map(std::string_view name) {
 
 void Client::start_flight(Route route, FlightPlan plan) {
     flight_ = std::make_unique<FlyThrough>(std::move(route), std::move(plan));
-    flight_error_ = nullptr;
     console_.set_open(false);
-}
-
-bool Client::flight_done() {
-    if (flight_error_) std::rethrow_exception(std::exchange(flight_error_, nullptr));
-    return flight_ == nullptr;
 }
 
 void Client::finish_flight_frame(double seconds) {
@@ -161,8 +155,9 @@ void Client::finish_flight_frame(double seconds) {
         flight_->end_frame(session_, seconds);
         if (!flight_->finished()) return;
         flight_->report(session_, variables_);
-    } catch (const Error&) {
-        flight_error_ = std::current_exception();
+    } catch (const Error& error) {
+        log_error("fly: {}", error.what());
+        ++failed_flights_;
     }
     flight_.reset();
 }

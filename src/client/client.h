@@ -15,7 +15,6 @@
 #include "common/stopwatch.h"
 #include "platform/window.h"
 
-#include <exception>
 #include <memory>
 #include <optional>
 
@@ -63,8 +62,9 @@ public:
     /// Starts a flight, or ends the one under way.
     void start_flight(Route route, FlightPlan plan);
     void end_flight() { flight_.reset(); }
-    /// True when no flight is under way; throws Error when the last one failed.
-    bool flight_done();
+    bool flying() const { return flight_ != nullptr; }
+    /// Flights that ended with an error so far.
+    int failed_flights() const { return failed_flights_; }
 
 private:
     void frame();
@@ -87,7 +87,7 @@ private:
     Input input_;
 
     std::unique_ptr<FlyThrough> flight_;
-    std::exception_ptr flight_error_;
+    int failed_flights_ = 0;
     Stopwatch clock_;
     double last_frame_s_ = 0.0;
     bool quitting_ = false;

@@ -106,7 +106,7 @@ void fly(Client& client, CommandArguments arguments) {
         fail("there is no route {} (there are: {})", path, fmt::join(names, ", "));
     }
     client.start_flight(Route::parse(path, files.read_text(path)), std::move(plan));
-    client.commands().pause_script_until([&client] { return client.flight_done(); });
+    client.commands().pause_script_until([&client] { return !client.flying(); });
 }
 
 } // namespace

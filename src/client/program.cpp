@@ -119,7 +119,10 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
         apply_early_sets(line, variables);
     }
     const int failures_before = commands.failures();
-    commands.execute_words(line.commands);
+    // A last wait, so that the frames of one before it are shown although nothing follows it.
+    std::vector<std::vector<std::string>> words = line.commands;
+    words.push_back({"wait"});
+    commands.execute_words(words);
     if (client.headless() && line.commands.empty()) {
         log_info("there is no window and nothing to do; give commands, for example "
                  "+map warehouse +wait 4 +screenshot");
@@ -129,7 +132,7 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
         save_configuration(variables, bindings, console.history());
         return 0;
     }
-    return commands.failures() > failures_before ? 1 : 0;
+    return commands.failures() > failures_before || client.failed_flights() > 0 ? 1 : 0;
 }
 
 } // namespace

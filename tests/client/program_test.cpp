@@ -184,6 +184,7 @@ TEST_F(ProgramTest, AFlightThatCannotWriteStopsAndFails) {
     EXPECT_EQ(run("+map tiny +fly line 10 shot 2 +echo after"), 1);
     EXPECT_NE(errors_.find("shot_001.png"), std::string::npos);
     EXPECT_NE(output_.find("after"), std::string::npos);
+    EXPECT_EQ(run("+map tiny +fly line 10 shot 2"), 1); // also when nothing follows
     EXPECT_EQ(run("+map tiny +fly nowhere"), 1);
     EXPECT_NE(errors_.find("line"), std::string::npos); // the routes there are
 }
