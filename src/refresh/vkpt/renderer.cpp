@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
+#include "refresh/vkpt/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "world/level.h"
 
@@ -269,8 +270,13 @@ std::string VkptRenderer::describe_device() const {
     return device_.description();
 }
 
-void VkptRenderer::export_scene(const refresh::Frame&, const std::string& path) {
-    fail("{}: exporting is not linked in", path);
+void VkptRenderer::export_scene(const refresh::Frame& frame, const std::string& path) {
+    if (!scene_) fail("no level is loaded");
+    resize(picture_size());
+    rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
+    const ExportSummary summary = write_gltf(export_scene_of(*scene_, frame_params(frame)), path);
+    log_info("wrote {}: {} triangles in {} files, {:.1f} MiB", path, summary.triangles,
+             summary.files, static_cast<double>(summary.bytes) / 1048576.0);
 }
 
 } // namespace vigil::vkpt
