@@ -32,6 +32,9 @@ class Side:
     def axes(self):
         """Unit u (to the right) and v (down) in the side's plane, as a viewer outside sees it."""
         n = self.normal()
+        if self.material.cast:
+            nearest = np.argmax(np.abs(n))
+            n = np.eye(3)[nearest] * np.sign(n[nearest])
         if abs(n[2]) > 0.8:
             u = np.array([1.0, 0.0, 0.0]) - n * n[0]
         else:
@@ -193,6 +196,24 @@ def lying(axis, lo, hi, outline, materials):
         j = (i + 1) % len(outline)
         sides.append(Side(np.array([near[i], near[j], far[j], far[i]]), pick(materials, "side")))
     return Brush(orient(sides))
+
+
+def hull(points, material):
+    """The convex hull of a few points in general position: a triangle per side."""
+    points = np.asarray(points, float)
+    sides = []
+    count = len(points)
+    for i in range(count):
+        for j in range(i + 1, count):
+            for k in range(j + 1, count):
+                n = np.cross(points[j] - points[i], points[k] - points[i])
+                away = (points - points[i]) @ n
+                away[[i, j, k]] = 0
+                if np.all(away <= 0):
+                    sides.append(Side(points[[i, j, k]], material))
+                elif np.all(away >= 0):
+                    sides.append(Side(points[[i, k, j]], material))
+    return Brush(sides)
 
 
 def orient(sides):

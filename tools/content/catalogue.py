@@ -4,9 +4,18 @@
 from dataclasses import dataclass
 from typing import Callable
 
+import gallery
+import many
+import mine
+import ring
 import sky
+import statue
 import test_rooms
 import warehouse
+
+
+# Numbers of lamps of the committed halls; those beyond many.BRUSH_LIMIT need a mesh.
+HALLS = [10, 100, 1000, 10000, 100000]
 
 
 @dataclass
@@ -21,7 +30,10 @@ class Entry:
 def levels(lights=None):
     """All levels; lights adds a hall with that many lamps."""
     out = [Entry(f.__name__, "test", lambda f=f: (f(), None)) for f in test_rooms.LEVELS]
-    out.append(Entry("warehouse", "game", warehouse.build))
+    for module in (warehouse, mine, gallery, ring):
+        out.append(Entry(module.__name__, "game", module.build))
+    for count in [*HALLS, *([lights] if lights else [])]:
+        out.append(Entry("many_%d" % count, "game", lambda n=count: many.build(n)))
     return out
 
 
@@ -29,9 +41,17 @@ def skies(games):
     """Sky boxes as {name: function that writes it}."""
     court = sky.day(sky.sun_direction(40, -55), (.16, .30, .62), (.50, .58, .66), (.2, .18, .15),
                     (.8, .8, .8), 3, -.4)
-    return {"court": lambda: sky.write_sky(games["test"] / "env", "court", 64, court)}
+    dusk = sky.day(mine.toward_sun(), (.13, .26, .55), (.62, .52, .42), (.2, .16, .12),
+                   (.85, .78, .70), 5, -.2)
+    return {"dusk": lambda: sky.write_sky(games["game"] / "env", "dusk", 256, dusk),
+            "court": lambda: sky.write_sky(games["test"] / "env", "court", 64, court)}
 
 
-def models(game):
+def models(game, lights=None):
     """Meshes as {name: function that writes it}."""
-    return {}
+    out = {"statue": lambda: statue.write(game / "models" / "statue.glb")}
+    for count in [*HALLS, *([lights] if lights else [])]:
+        if count > many.BRUSH_LIMIT:
+            path = game / "models" / ("lamps_%d.glb" % count)
+            out["lamps_%d" % count] = lambda p=path, n=count: many.write_lamps(p, n)
+    return out

@@ -18,7 +18,8 @@ class Material:
     """One way to paint a brush side.
 
     scale is in map units per texel. fit stretches the texture once over the side instead of
-    tiling it in world space. turn lays the texture's u axis along the vertical.
+    tiling it in world space. turn lays the texture's u axis along the vertical. cast projects
+    the texture along the nearest world axis, so that it runs on over the facets of rock.
     """
 
     texture: str
@@ -28,6 +29,7 @@ class Material:
     value: int = 0
     fit: bool = False
     turn: bool = False
+    cast: bool = False
 
     def detail(self):
         """The same material on a brush that does not take part in visibility."""

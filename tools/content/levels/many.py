@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The levels `many_N`: one great hall, lit by N lamps, for N from 10 to 100,000.
+
+Brush lamps (N up to 1,000) hang as lanterns; beyond that every lamp is a triangle of
+models/lamps_N.glb: swags of small glass drops between the columns and chandeliers of drops. The
+hall itself never changes.
+"""
+
+import numpy as np
+
+import hall_lamps
+from brush import box, circle, cylinder, frustum, lying, prism
+from carver import Carver, Skin
+from doorway import doorway
+from map_file import Level
+from material import vigil
+from route import Route
+
+LENGTH, NAVE, AISLE = 2048, 320, 224
+HEIGHT, AISLE_HEIGHT = 512, 272
+COLUMNS = [128 + 256 * i for i in range(8)]
+CHANDELIERS = [(256 + 512 * i, 0) for i in range(4)]
+BRUSH_LIMIT = 1000
+STONE = vigil("concrete_panel")
+PALE = vigil("marble")
+DARK = vigil("marble_dark")
+WOOD = vigil("beam")
+
+
+def build(count):
+    """The level and its camera route for count lamps."""
+    level = Level("many_%d" % count, "Hall of %d lamps" % count)
+    carver = Carver(16)
+    hall = Skin(vigil("brick_pale"), vigil("tile_floor", scale=1), vigil("planks_old"),
+                [(96, STONE)])
+    side = Skin(STONE, vigil("parquet"), vigil("plaster"), [(56, vigil("plaster_green"))])
+    carver.room((0, -NAVE, 0), (LENGTH, NAVE, HEIGHT), hall)
+    for s in (-1, 1):
+        lo, hi = sorted((s * NAVE, s * (NAVE + AISLE)))
+        carver.room((0, lo, 0), (LENGTH, hi, AISLE_HEIGHT), side)
+    vestry = Skin(vigil("brick"), vigil("planks"), vigil("plaster"))
+    carver.room((LENGTH + 16, -256, 0), (LENGTH + 400, 256, 208), vestry)
+    doorway(level, carver, (LENGTH, -80, 0), (LENGTH + 16, 80, 176), frame=WOOD)
+    level.add(*carver.brushes())
+    arcade(level)
+    roof(level)
+    chandeliers(level)
+    furniture(level)
+    rng = np.random.default_rng(count)
+    if count <= BRUSH_LIMIT:
+        lanterns(level, count, rng)
+    else:
+        level.entity("misc_model", model="models/lamps_%d.glb" % count, origin=(0, 0, 0), angle=0)
+    camera = route()
+    level.start(camera.keys[0][0], 0)
+    return level, camera
+
+
+def arcade(level):
+    """Columns between nave and aisles, the wall above them, galleries' rails."""
+    for s in (-1, 1):
+        y = s * NAVE
+        for x in COLUMNS:
+            level.add_detail(box((x - 30, y - 30, 0), (x + 30, y + 30, 16), DARK),
+                             cylinder((x, y), 22, 16, 208, PALE, 8),
+                             frustum(np.column_stack([circle((x, y), 22, 4), np.full(4, 208.0)]),
+                                     np.column_stack([circle((x, y), 44, 4), np.full(4, 232.0)]),
+                                     PALE),
+                             box((x - 32, y - 32, 232), (x + 32, y + 32, 244), DARK))
+        lo, hi = sorted((y + s * 20, y - s * 20))
+        level.add_detail(box((0, lo, 244), (LENGTH, hi, 288), STONE),
+                         box((0, lo - 6, 288), (LENGTH, hi + 6, 298), PALE))
+        for x in COLUMNS:
+            a, b = sorted((y, y - s * 14))
+            level.add_detail(box((x - 14, a, 298), (x + 14, b, 440), PALE))
+        wall = s * (NAVE + AISLE)
+        for x in [c + 128 for c in COLUMNS[:-1]]:
+            a, b = sorted((wall, wall - s * 10))
+            level.add_detail(box((x - 52, a, 60), (x - 44, b, 200), WOOD.turned()),
+                             box((x + 44, a, 60), (x + 52, b, 200), WOOD.turned()),
+                             box((x - 52, a, 200), (x + 52, b, 210), WOOD),
+                             box((x - 56, a, 52), (x + 56, b, 60), WOOD))
+            a, b = sorted((wall, wall - s * 2))
+            level.add_detail(box((x - 44, a, 60), (x + 44, b, 200), vigil("metal_blue")))
+        a, b = sorted((wall, wall - s * 4))
+        level.add_detail(box((0, a, 0), (LENGTH, b, 12), DARK))
+
+
+def roof(level):
+    """Open trusses: tie beam, struts and purlins under the ceiling."""
+    for x in COLUMNS:
+        level.add_detail(box((x - 9, -NAVE, 440), (x + 9, NAVE, 460), WOOD.turned()),
+                         box((x - 7, -8, 460), (x + 7, 8, HEIGHT), WOOD.turned()))
+        for s in (-1, 1):
+            level.add_detail(lying("x", x - 6, x + 6, [(s * 300, 460), (s * 276, 460),
+                                                      (s * 120, HEIGHT), (s * 144, HEIGHT)],
+                                   WOOD))
+    for y in (-200, 0, 200):
+        level.add_detail(box((0, y - 6, HEIGHT - 12), (LENGTH, y + 6, HEIGHT), WOOD))
+
+
+def chandeliers(level):
+    """Iron hoops on chains; the lamps of the mesh levels hang below them."""
+    iron = vigil("metal_dark")
+    for x, y in CHANDELIERS:
+        level.add_detail(box((x - 2, y - 2, 300), (x + 2, y + 2, HEIGHT - 12), iron))
+        for radius, z in ((96, 296), (56, 320)):
+            for a, b in zip(circle((x, y), radius, 8), np.roll(circle((x, y), radius, 8), -1, 0)):
+                inner = .94
+                level.add_detail(prism_ring((x, y), a, b, inner, z, iron))
+        for a in (0, 90):
+            level.add_detail(box((x - 92, y - 2, 297), (x + 92, y + 2, 300), iron)
+                             .turned(a, (x, y, 0)))
+
+
+def prism_ring(centre, a, b, inner, z, material):
+    """One block of a hoop between corners a and b."""
+    c = np.array(centre)
+    return prism([c + inner * (a - c), a, b, c + inner * (b - c)], z, z + 5, material)
+
+
+def furniture(level):
+    """Long tables with benches, an altar block at the far end, barrels in the side room."""
+    for x in (420, 932, 1444):
+        for y in (-150, 150):
+            level.add_detail(box((x - 150, y - 30, 34), (x + 150, y + 30, 38), vigil("planks")))
+            for dx in (-130, 122):
+                level.add_detail(box((x + dx, y - 24, 0), (x + dx + 8, y + 24, 34), WOOD.turned()))
+            for dy in (-58, 44):
+                level.add_detail(box((x - 150, y + dy, 18), (x + 150, y + dy + 14, 22),
+                                     vigil("planks")),
+                                 box((x - 130, y + dy + 2, 0), (x - 122, y + dy + 12, 18), WOOD),
+                                 box((x + 122, y + dy + 2, 0), (x + 130, y + dy + 12, 18), WOOD))
+    level.add_detail(box((1820, -200, 0), (2048, -96, 12), DARK),
+                     box((1820, 96, 0), (2048, 200, 12), DARK),
+                     box((1880, -176, 12), (1944, -120, 60), PALE),
+                     box((1880, 120, 12), (1944, 176, 60), PALE))
+    for x in (2120, 2200, 2300):
+        level.add_detail(cylinder((x, 210), 26, 0, 64, WOOD, 8),
+                         box((x - 24, -240, 0), (x + 24, -192, 48), vigil("crate", fit=True)))
+    for s in (-1, 1):
+        for x in (256, 768, 1280, 1792):
+            level.add_detail(box((x - 60, s * 500 - 14, 0), (x + 60, s * 500 + 14, 20), WOOD))
+
+
+def lanterns(level, count, rng):
+    """count brush lamps: small boxes that shine downwards, at places spread over the hall."""
+    places = brush_places(count)
+    colour, strength = hall_lamps.draw(count, places, rng)
+    half = {True: 16, False: 8}[count <= 10] if count <= 100 else 4
+    area = (2 * half) ** 2
+    iron = vigil("metal_dark")
+    for (x, y, z, top), c, s in zip(places, colour, strength):
+        radiance = hall_lamps.TOTAL_POWER / count * s / area
+        name, rgb, _ = hall_lamps.COLOURS[c]
+        value = max(1, round(radiance / (.1 * np.mean(rgb))))
+        light = vigil(name).emissive(value).fitted()
+        level.add_detail(box((x - half, y - half, z), (x + half, y + half, z + half),
+                             {"all": iron, "bottom": light}))
+        if count <= 100:
+            level.add_detail(box((x - 1, y - 1, z + half), (x + 1, y + 1, top), iron))
+
+
+def brush_places(count):
+    """Places (x, y, z, height of the hook) of brush lamps: nave first, then aisles, then strings
+    of lanterns across the nave."""
+    if count <= 10:
+        nave = [(x + 128, y, 300, HEIGHT) for x in (256, 640, 1024, 1408, 1792)
+                for y in (-150, 150)]
+        return nave[:count]
+    out = []
+    rows = [(-432, 190, AISLE_HEIGHT), (432, 190, AISLE_HEIGHT), (-180, 330, HEIGHT),
+            (0, 290, HEIGHT), (180, 330, HEIGHT)]
+    if count <= 100:
+        per = int(np.ceil(count / len(rows)))
+        for y, z, top in rows:
+            for i in range(per):
+                x = (i + .5) * LENGTH / per
+                out.append((round(x), y, z + 6 * (i % 3), top))
+        return out[:count]
+    lines = int(np.ceil(count / 25))
+    for i in range(lines):
+        x = round((i + .5) * LENGTH / lines)
+        for j in range(25):
+            t = (j + .5) / 25
+            y = (t - .5) * 2 * (NAVE + AISLE - 24)
+            if abs(y) < NAVE - 24:
+                z = 300 + 90 * (y / NAVE) ** 2 + 10 * (i % 2)
+            else:
+                z = 214 + 10 * ((i + j) % 3)
+                y = np.sign(y) * max(abs(y), NAVE + 30)
+            out.append((x, round(y), round(z), 0))
+    return out[:count]
+
+
+def mesh_places(triangles):
+    """Centres of the glass drops of a mesh of lamps: four triangles each."""
+    count = triangles // 4
+    rng = np.random.default_rng(triangles)
+    hung = count // 3
+    # A third hangs in the chandeliers: strands on cones between two hoops.
+    which = np.arange(hung) % len(CHANDELIERS)
+    angle = rng.uniform(0, 2 * np.pi, hung)
+    t = np.sqrt(rng.uniform(0, 1, hung))
+    radius = 6 + 86 * t
+    z = 232 + 60 * t ** 2 + rng.uniform(-3, 3, hung)
+    centres = np.array(CHANDELIERS)[which]
+    drops = np.column_stack([centres[:, 0] + radius * np.cos(angle),
+                             centres[:, 1] + radius * np.sin(angle), z])
+    # The rest are swags: across the nave and along the aisles.
+    rest = count - hung
+    lines = 64
+    i = np.arange(rest) % lines
+    u = (np.arange(rest) // lines + .5) / np.ceil(rest / lines)
+    across = i < 40
+    x = np.where(across, 24 + (LENGTH - 48) * (i + .5) / 40, 24 + (LENGTH - 48) * u)
+    y = np.where(across, (u - .5) * 2 * (NAVE - 34), 0)
+    lane = (i - 40) // 2
+    aisle_y = np.where(i % 2 == 0, 1, -1) * (NAVE + 34 + (AISLE - 60) * (lane + .5) / 12)
+    y = np.where(across, y, aisle_y)
+    sag = np.where(across, 400 - 70 * (1 - (2 * u - 1) ** 2), 0)
+    bays = 7
+    v = (u * bays) % 1
+    z = np.where(across, sag, 236 - 26 * 4 * v * (1 - v))
+    jitter = rng.uniform(-2.5, 2.5, (rest, 3))
+    swags = np.column_stack([x, y, z]) + jitter
+    return np.concatenate([drops, swags])
+
+
+def write_lamps(path, triangles):
+    """Writes models/lamps_N.glb; returns the number of its triangles."""
+    return hall_lamps.write_mesh(path, mesh_places(triangles), np.random.default_rng(triangles))
+
+
+def route():
+    camera = Route(16)
+    for eye, look in [
+        ((80, 0, 60), (1000, 0, 150)), ((300, -30, 60), (1100, 100, 170)),
+        ((560, 0, 62), (1200, -300, 180)), ((690, -225, 62), (1100, -440, 150)),
+        ((768, -330, 60), (1200, -440, 130)), ((850, -412, 60), (1500, -420, 100)), ((1060, -420, 60), (1700, -200, 150)),
+        ((1225, -392, 60), (1400, -100, 170)), ((1262, -310, 60), (1300, 200, 200)),
+        ((1216, -215, 62), (1200, 300, 220)), ((1192, -80, 66), (1000, 300, 220)),
+        ((1180, 30, 90), (500, 100, 230)), ((1180, 90, 150), (300, 0, 220)),
+        ((1300, 20, 200), (1900, 0, 200)), ((1600, 0, 180), (2100, 0, 150)),
+        ((1860, 0, 90), (2300, 20, 80)), ((2000, 0, 60), (2400, 60, 60)),
+        ((2140, 10, 58), (2400, 100, 50)),
+    ]:
+        camera.key(eye, look)
+    return camera
