@@ -51,7 +51,11 @@ glm::ivec2 Client::picture_size() const {
 }
 
 void Client::run() {
-    if (!headless() && session_.level() == nullptr && commands_.idle()) console_.set_open(true);
+    if (!headless() && session_.level() == nullptr && commands_.idle()) {
+        console_.set_open(true);
+        log_info(
+            "`maps` lists the levels, `map NAME` loads one; Tab completes, `help` tells more.");
+    }
     last_frame_s_ = clock_.seconds();
     while (!quitting_) {
         if (headless() && commands_.idle() && !flying()) break;

@@ -222,9 +222,11 @@ Suggestion Console::describe(std::string word, bool first_word) const {
         const auto command = commands_.commands().find(ascii_lower(word));
         if (command != commands_.commands().end()) {
             about = command->second.help;
+            // Commands without arguments: nothing stands before the colon.
+            if (about.starts_with(": ")) about.erase(0, 2);
         } else if (const CvarInfo* info = find_cvar(ascii_lower(word))) {
-            about = fmt::format("= {}  ({}) {}", commands_.variables().get_text(info->name),
-                                cvar_range_text(*info), info->help);
+            about = fmt::format("= {}  {} ({})", commands_.variables().get_text(info->name),
+                                info->help, cvar_range_text(*info));
         }
     }
     return {std::move(word), std::move(about)};

@@ -112,11 +112,17 @@ void draw_input(const Console& console, const Pen& pen, ImVec2 at, float width, 
     list.PopClipRect();
 }
 
-/// A box under the console with candidates; the range shown follows the chosen one.
-void draw_suggestions(const Console& console, const Pen& pen, float left, float top) {
+/// A box with candidates under the console, or over its input line where there is no room below.
+/// The range shown follows the chosen one.
+void draw_suggestions(const Console& console, const Pen& pen, float left, float below,
+                      float above) {
     const auto& all = console.suggestions();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const int room = static_cast<int>((screen.y - top) / pen.line_height()) - 1;
+    const auto rows_in = [&pen](float height) {
+        return static_cast<int>(height / pen.line_height()) - 2;
+    };
+    const bool hangs = rows_in(screen.y - below) >= rows_in(above);
+    const int room = rows_in(hangs ? screen.y - below : above);
     const int count = std::min({static_cast<int>(all.size()), most_suggestions, room});
     if (count <= 0) return;
     const int chosen = console.chosen_suggestion();
@@ -134,9 +140,10 @@ void draw_suggestions(const Console& console, const Pen& pen, float left, float 
     }
     const bool more = count < static_cast<int>(all.size());
     const int rows = count + (more ? 1 : 0);
+    const float height = static_cast<float>(rows) * pen.line_height() + pad;
+    const float top = hangs ? below : above - height;
     const ImVec2 low{left, top};
-    const ImVec2 high{std::min(left + width + 2.0f * pad, screen.x - left),
-                      top + static_cast<float>(rows) * pen.line_height() + pad};
+    const ImVec2 high{std::min(left + width + 3.0f * pad, screen.x - left), top + height};
 
     ImDrawList& list = pen.list();
     list.AddRectFilled(low, high, IM_COL32(12, 14, 18, 245));
@@ -149,7 +156,7 @@ void draw_suggestions(const Console& console, const Pen& pen, float left, float 
             list.AddRectFilled({low.x, y}, {high.x, y + pen.line_height()}, chosen_color);
         }
         pen.text({low.x + pad, y}, info_color, suggestion.word);
-        pen.text({low.x + word_width + 3.0f * pad, y}, dim_color, suggestion.about);
+        pen.text({low.x + word_width + 2.0f * pad, y}, dim_color, suggestion.about);
         y += pen.line_height();
     }
     if (more) pen.text({low.x + pad, y}, dim_color, fmt::format("{} in all", all.size()));
@@ -175,7 +182,7 @@ void draw_console(const Console& console, ImFont& font, float drop, double time_
     draw_lines(console, pen, pad, width, input_y - pad * 0.5f);
     list.PopClipRect();
     draw_input(console, pen, {pad, input_y}, width, time_s);
-    if (console.is_open()) draw_suggestions(console, pen, pad, bottom + pad * 0.5f);
+    if (console.is_open()) draw_suggestions(console, pen, pad, bottom + pad * 0.5f, input_y);
 }
 
 bool has_notices(const Console& console, double time_s, double notify_s) {

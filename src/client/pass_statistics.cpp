@@ -48,6 +48,7 @@ size_t PassStatistics::index_of(const std::string& name) {
 }
 
 void PassStatistics::add_frame(std::span<const refresh::PassTime> passes) {
+    if (passes.empty()) return; // the first frames are still on their way through the GPU
     std::vector<Time> frame;
     frame.reserve(passes.size());
     for (const refresh::PassTime& pass : passes) {

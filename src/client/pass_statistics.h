@@ -28,6 +28,7 @@ public:
     /// The oldest frames are forgotten beyond this (about 20 minutes at 60 per second).
     static constexpr size_t capacity = 72000;
 
+    /// Frames without any pass do not count.
     void add_frame(std::span<const refresh::PassTime> passes);
     void clear() { frames_.clear(); }
     size_t frame_count() const { return frames_.size(); }

@@ -111,7 +111,6 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
     }
     Overlay overlay;
     const std::unique_ptr<refresh::Renderer> renderer = make_renderer(files, window.get());
-    log_info("{}", renderer->describe_device());
 
     Client client({files, commands, bindings, console, overlay, *renderer, window.get()});
     if (files.exists(autoexec_name)) {
