@@ -10,6 +10,12 @@ import numpy as np
 from brush import prism, Side, Brush
 
 
+# Heights are multiples of this (map units); neighbours differ from a plane by CREASE or not at all.
+STEP = 4
+CREASE = 2.5
+CREASE_PASSES = 60
+
+
 def value_noise(x, y, scale, seed):
     """Smooth noise in -1..1 at any position; scale is the feature size in map units."""
     rng = np.random.default_rng(seed)
@@ -42,23 +48,61 @@ class Rock:
         self.x = np.round(x + inner_x * rng.uniform(-jitter, jitter, x.shape))
         self.y = np.round(y + inner_y * rng.uniform(-jitter, jitter, y.shape))
         self.bottom, self.top = bottom, top
-        self.floor = np.clip(np.round(floor(self.x, self.y)), bottom + 8, top)
-        self.ceiling = np.clip(np.round(ceiling(self.x, self.y)), bottom, top)
+        self.floor = np.clip(STEP * np.round(floor(self.x, self.y) / STEP), bottom + 8, top)
+        self.ceiling = np.clip(STEP * np.round(ceiling(self.x, self.y) / STEP), bottom, top)
+        self._triangles = self._cut()
+        self._crease(self.floor)
+        self._crease(self.ceiling)
 
     def triangles(self):
-        """Grid index triples, counter-clockwise from above; each cell is cut along the diagonal
-        that bends the floor less."""
+        """Grid index triples, counter-clockwise from above."""
+        return self._triangles
+
+    def _cut(self):
+        """Cuts each cell along the diagonal that bends the heights less."""
         nx, ny = self.x.shape
+        out = []
         for i in range(nx - 1):
             for j in range(ny - 1):
                 a, b, c, d = (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
                 if self._bend(a, c) <= self._bend(b, d):
-                    yield from ((a, b, c), (a, c, d))
+                    out += [(a, b, c), (a, c, d)]
                 else:
-                    yield from ((a, b, d), (b, c, d))
+                    out += [(a, b, d), (b, c, d)]
+        return out
 
     def _bend(self, p, q):
         return abs(self.floor[p] - self.floor[q]) + abs(self.ceiling[p] - self.ceiling[q])
+
+    def _crease(self, heights):
+        """Moves corners until neighbouring triangles lie in one plane or in clearly different
+        ones: the compiler loses slivers of faces between planes that almost agree."""
+        pairs = []
+        beside = {}
+        for corners in self._triangles:
+            for k in range(3):
+                edge = frozenset((corners[k], corners[(k + 1) % 3]))
+                apex = corners[(k + 2) % 3]
+                if edge in beside:
+                    pairs.append((*edge, apex, beside[edge]))
+                beside[edge] = apex
+        for _ in range(CREASE_PASSES):
+            moved = 0
+            for a, b, c, d in pairs:
+                rise = self._rise(heights, a, b, c, d)
+                if 0 < abs(rise) < CREASE:
+                    heights[d] += STEP if rise > 0 else -STEP
+                    moved += 1
+            if not moved:
+                return
+
+    def _rise(self, heights, a, b, c, d):
+        """How far corner d lies above the plane through a, b, c."""
+        px, py = self.x[a], self.y[a]
+        ux, uy, uz = self.x[b] - px, self.y[b] - py, heights[b] - heights[a]
+        vx, vy, vz = self.x[c] - px, self.y[c] - py, heights[c] - heights[a]
+        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        return heights[d] - heights[a] + (nx * (self.x[d] - px) + ny * (self.y[d] - py)) / nz
 
     def brushes(self, floor_material, wall_material, ceiling_material, hull):
         """Prisms below the floor and above the ceiling, and solid columns outside the cave, where
