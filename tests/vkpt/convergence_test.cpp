@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Every light-sampling technique converges to the mean of brute force, which samples no lights: the
+// same scenes from independent seeds, compared block by block and colour by colour
+// (picture_comparison.h). The technique table is the list of what is tested.
+#include "render_test.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace vigil::test {
+namespace {
+
+struct Plan {
+    int brute_paths = 96;      // paths per pixel and batch
+    int paths = 32;            // the same of the others
+    double detectable = 0.015; // relative bias that must be found: bounds the noise that is left
+};
+constexpr int brute_batches = 32, sampled_batches = 16, block = 4;
+
+/// VIGIL_TEST_PATHS=10 traces ten times as many paths, to look for smaller biases by hand.
+int path_factor() {
+    const char* text = std::getenv("VIGIL_TEST_PATHS");
+    return text ? std::max(std::atoi(text), 1) : 1;
+}
+
+class Convergence : public RenderTest {
+protected:
+    /// All techniques against brute force on one picture.
+    void expect_equal_means(const Shot& shot, const Plan& plan) {
+        set("pt_nee", "brute");
+        const PictureBatches brute =
+            batches(shot, brute_batches, plan.brute_paths * path_factor(), 1000, block);
+        for (const TechniqueInfo& info : technique_infos) {
+            if (info.name == "brute") continue;
+            set("pt_nee", info.name);
+            for (const char* most : {"32", "4"}) { // lists of both sides of the stride
+                if (info.name != "sll" && most[0] == '4') continue;
+                set("pt_sll_max", most);
+                const PictureBatches sampled =
+                    batches(shot, sampled_batches, plan.paths * path_factor(), 5000, block);
+                SCOPED_TRACE(fmt::format("{} pt_sll_max {}", info.name, most));
+                judge(fmt::format("{:8} {:>2}", info.name, most), sampled, brute, plan.detectable);
+            }
+        }
+    }
+
+    static void judge(const std::string& label, PictureBatches sampled, const PictureBatches& brute,
+                      double detectable) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const Comparison seen = compare(sampled, brute, channel);
+            std::cout << fmt::format("{} {}: {}\n", label, "RGB"[channel], seen.text());
+            EXPECT_GT(seen.blocks, 40u);
+            EXPECT_TRUE(seen.agrees(score_limit)) << seen.text();
+            EXPECT_LT(score_limit * seen.bias_error, detectable);
+        }
+        // The test can fail: the same pictures, a little brighter.
+        sampled.scale(1.0 + 1.5 * detectable);
+        bool found = false;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            found |= !compare(sampled, brute, channel).agrees(score_limit);
+        EXPECT_TRUE(found) << "a planted bias went unnoticed";
+    }
+};
+
+Shot view_at(glm::vec3 origin, float pitch, float yaw, float fov = 90.0f) {
+    Shot shot;
+    shot.view = {origin, {pitch, yaw, 0.0f}, fov};
+    return shot;
+}
+
+TEST_F(Convergence, RoomWithManyLamps) {
+    load("rooms");
+    expect_equal_means(view_at({290, 20, 96}, 5, 55), {});
+}
+
+TEST_F(Convergence, ThroughATranslucentWindow) {
+    load("rooms");
+    expect_equal_means(view_at({420, 40, 90}, 0, 50), {});
+}
+
+TEST_F(Convergence, DoorWithALampMoved) {
+    load("rooms");
+    Shot shot = view_at({40, 40, 60}, 0, 25);
+    refresh::Entity door;
+    door.number = 1;
+    door.model = renderer().register_model("*1");
+    // Pushed out of the wall into the room, then turned as well.
+    door.origin = {-40, -20, 20};
+    shot.entities = {door};
+    expect_equal_means(shot, {});
+    shot.entities[0].angles = {0, 30, 0};
+    shot.entities[0].origin = {40, -150, 20};
+    expect_equal_means(shot, {});
+}
+
+TEST_F(Convergence, DynamicLights) {
+    load("rooms");
+    Shot shot = view_at({40, 40, 60}, 0, 45);
+    shot.dynamic_lights = {{7, {120, 120, 40}, 16.0f, {20, 10, 5}},
+                           {8, {200, 60, 100}, 12.0f, {5, 20, 40}},
+                           {9, {60, 200, 120}, 20.0f, {8, 8, 2}}};
+    expect_equal_means(shot, {});
+}
+
+TEST_F(Convergence, LampOverAFloor) {
+    load("lamp");
+    expect_equal_means(view_at({-192, 0, 64}, 30, 0), {192, 32, 0.02});
+}
+
+TEST_F(Convergence, SkyAndSunWithALight) {
+    load("opensky");
+    set("pt_sun_size", "40"); // large enough to be met by chance
+    Shot shot = view_at({-192, -64, 56}, 0, 20);
+    shot.dynamic_lights = {{1, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
+    expect_equal_means(shot, {96, 96, 0.03});
+}
+
+} // namespace
+} // namespace vigil::test

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the techniques say about their own probabilities, exhaustively: at every primary hit of a
+// picture the probabilities of all lights add up to 1 (or to the share of draws that can find a
+// light), lights are drawn as often as they say, and a draw brings along the very probability that
+// is computed for it afterwards.
+#include "light/statistics.h"
+#include "render_test.h"
+#include "test_pass.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace vigil::test {
+namespace {
+
+constexpr uint32_t draws_per_pixel = 4096;
+
+class LightProbability : public RenderTest {
+protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        set_size(24, 16);
+    }
+
+    struct Answers {
+        size_t row = 0; // lights + 1
+        std::vector<float> probabilities, errors;
+        std::vector<uint32_t> draws;
+        std::vector<shader::PrimaryHit> hits;
+    };
+
+    static Answers ask(const Shot& shot, std::string_view technique) {
+        set("pt_nee", technique);
+        radiance(shot);
+        const glm::uvec2 size = renderer().path_tracer().size();
+        const size_t pixels = size_t{size.x} * size.y;
+        Answers answers;
+        answers.row = renderer().scene()->lights().lights().size() + 1;
+        TestPass pass(renderer(), fmt::format("light_probability.{}", technique));
+        pass.add_buffer(pixels * answers.row * sizeof(float));
+        pass.add_buffer(pixels * answers.row * sizeof(uint32_t));
+        pass.add_buffer(pixels * sizeof(float));
+        pass.run((size + 7u) / 8u, {0, draws_per_pixel});
+        answers.probabilities = pass.read<float>(0, pixels * answers.row);
+        answers.draws = pass.read<uint32_t>(1, pixels * answers.row);
+        answers.errors = pass.read<float>(2, pixels);
+        answers.hits = gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().path_tracer().primary_hits(), 0, pixels);
+        return answers;
+    }
+
+    /// `starts` is the stride of the technique's walk at most: where some starts find nothing, sums
+    /// are whole multiples of one of 1 / 1 .. 1 / starts.
+    static void judge(const Answers& answers, uint32_t starts) {
+        size_t lit = 0, worst_pixel = 0;
+        double scores = 0.0, worst = 0.0;
+        for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
+            if (answers.hits[pixel].primitive == shader::NONE) continue;
+            const std::span<const float> claimed =
+                std::span(answers.probabilities).subspan(pixel * answers.row, answers.row);
+            const std::span<const uint32_t> seen =
+                std::span(answers.draws).subspan(pixel * answers.row, answers.row);
+            double sum = 0.0;
+            for (size_t light = 0; light + 1 < answers.row; ++light) {
+                ASSERT_GE(claimed[light], 0.0f) << "pixel " << pixel << " light " << light;
+                ASSERT_TRUE(std::isfinite(claimed[light]));
+                sum += static_cast<double>(claimed[light]);
+                // Never drawn where it says never.
+                const bool never = claimed[light] == 0.0f;
+                ASSERT_TRUE(!never || seen[light] == 0) << "pixel " << pixel << " light " << light;
+            }
+            double nearest = 1.0;
+            for (uint32_t stride = 1; stride <= starts; ++stride)
+                nearest = std::min(nearest, std::abs(sum * stride - std::round(sum * stride)));
+            EXPECT_LT(nearest, 2e-5) << "pixel " << pixel << ": probabilities add up to " << sum;
+            EXPECT_LT(sum, 1.0 + 2e-5);
+            // The walk adds up weights in the same order; a stretched random number costs some
+            // digits.
+            EXPECT_LT(answers.errors[pixel], 1e-4f) << "pixel " << pixel;
+
+            // Bins of at least ten expected draws; the rest together.
+            std::vector<uint64_t> counts{0};
+            std::vector<double> shares{0.0};
+            const auto fill = [&](double share, uint64_t count) {
+                if (share * draws_per_pixel >= 10.0) {
+                    shares.push_back(share);
+                    counts.push_back(count);
+                } else {
+                    shares.front() += share;
+                    counts.front() += count;
+                }
+            };
+            for (size_t light = 0; light + 1 < answers.row; ++light)
+                fill(static_cast<double>(claimed[light]), seen[light]);
+            fill(std::max(1.0 - sum, 0.0), seen[answers.row - 1]);
+            if (shares.front() * draws_per_pixel < 3.0) { // too few for a bin of their own
+                shares[1] += shares.front();
+                counts[1] += counts.front();
+                shares.erase(shares.begin());
+                counts.erase(counts.begin());
+            }
+            if (counts.size() < 2) continue;
+            const double score = chi_square_z(counts, shares);
+            ++lit;
+            scores += score;
+            if (std::abs(score) > std::abs(worst)) {
+                worst = score;
+                worst_pixel = pixel;
+            }
+        }
+        const double together = scores / std::sqrt(static_cast<double>(lit));
+        std::cout << fmt::format("{} pixels: chi-square {:+.2f} together, {:+.2f} at the worst\n",
+                                 lit, together, worst);
+        EXPECT_GT(lit, 300u);
+        EXPECT_LT(std::abs(together), score_limit);
+        EXPECT_LT(std::abs(worst), score_limit) << "pixel " << worst_pixel;
+    }
+
+    void judge_all(const Shot& shot) {
+        for (const TechniqueInfo& info : technique_infos) {
+            if (info.name == "brute") continue; // draws nothing
+            for (const char* most : {"32", "4"}) {
+                if (info.name != "sll" && most[0] == '4') continue;
+                SCOPED_TRACE(fmt::format("{} pt_sll_max {}", info.name, most));
+                set("pt_sll_max", most);
+                const Answers answers = ask(shot, info.name);
+                const auto lights = static_cast<uint32_t>(answers.row - 1);
+                const auto limit = static_cast<uint32_t>(cvars()->pt_sll_max);
+                judge(answers, info.name == "sll" ? (lights + limit - 1) / limit : 1u);
+            }
+        }
+    }
+};
+
+TEST_F(LightProbability, OfStaticLights) {
+    load("rooms");
+    Shot shot;
+    shot.view = {{290, 20, 96}, {5, 55, 0}, 90};
+    judge_all(shot);
+}
+
+TEST_F(LightProbability, OfMovingAndDynamicLights) {
+    load("rooms");
+    Shot shot;
+    shot.view = {{40, 40, 60}, {0, 35, 0}, 90};
+    refresh::Entity door;
+    door.number = 1;
+    door.model = renderer().register_model("*1");
+    door.origin = {-40, -20, 20};
+    shot.entities = {door};
+    shot.dynamic_lights = {{7, {120, 120, 40}, 16.0f, {20, 10, 5}},
+                           {8, {200, 60, 100}, 2.0f, {5, 20, 40}}};
+    judge_all(shot);
+}
+
+} // namespace
+} // namespace vigil::test

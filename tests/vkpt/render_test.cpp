@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render_test.h"
+
+#include "refresh/vkpt/gpu/commands.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+namespace vigil::test {
+
+namespace {
+
+struct Shared {
+    FileSystem files;
+    std::unique_ptr<vkpt::VkptRenderer> renderer;
+};
+std::optional<Shared> shared; // between SetUp and TearDown of the environment
+
+bool has_validation_layer() {
+    uint32_t count = 0;
+    vkEnumerateInstanceLayerProperties(&count, nullptr);
+    std::vector<VkLayerProperties> layers(count);
+    vkEnumerateInstanceLayerProperties(&count, layers.data());
+    for (const VkLayerProperties& layer : layers)
+        if (std::strcmp(layer.layerName, "VK_LAYER_KHRONOS_validation") == 0) return true;
+    return false;
+}
+
+/// Makes the renderer before the first test and destroys it after the last.
+class DeviceEnvironment : public testing::Environment {
+public:
+    void SetUp() override {
+        ASSERT_TRUE(has_validation_layer())
+            << "without its layer nothing is validated: install vulkan-validationlayers";
+        // The pipeline cache of the tests is not the user's.
+        const std::string cache = (std::filesystem::current_path() / "test-cache").string();
+        setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+        shared.emplace();
+        shared->files.mount_game(std::filesystem::path(VIGIL_SOURCE_DIR) / "tests" / "data",
+                                 "baseq2");
+        cvars().set("vk_validation", "2");
+        shared->renderer = std::make_unique<vkpt::VkptRenderer>(shared->files, nullptr);
+    }
+    void TearDown() override { shared.reset(); }
+};
+
+const auto* const environment = testing::AddGlobalTestEnvironment(new DeviceEnvironment);
+
+} // namespace
+
+refresh::Frame Shot::frame() const {
+    refresh::Frame frame;
+    frame.view = view;
+    frame.entities = entities;
+    frame.dynamic_lights = dynamic_lights;
+    frame.time_s = time_s;
+    frame.light_styles.fill(1.0f);
+    return frame;
+}
+
+void RenderTest::SetUp() {
+    ASSERT_TRUE(shared && shared->renderer);
+    for (const CvarInfo& info : cvar_infos)
+        if (info.life != CvarLife::Start) cvars().reset(info.name);
+    set_size(48, 32);
+    set("pt_jitter", "0");
+}
+
+void RenderTest::TearDown() {
+    if (!shared || !shared->renderer) return;
+    EXPECT_EQ(renderer().device().validation_messages(), 0);
+    EXPECT_EQ(renderer().nonfinite_count(), 0u);
+}
+
+vkpt::VkptRenderer& RenderTest::renderer() {
+    return *shared->renderer;
+}
+
+FileSystem& RenderTest::files() {
+    return shared->files;
+}
+
+void RenderTest::set_size(int width, int height) {
+    set("vid_width", std::to_string(width));
+    set("vid_height", std::to_string(height));
+}
+
+void RenderTest::load(std::string_view name, const Edit& edit) {
+    auto changed = std::make_shared<Level>(*load_level(files(), name));
+    if (edit) edit(*changed);
+    level_ = changed;
+    renderer().load_level(level_);
+}
+
+refresh::RadiancePicture RenderTest::radiance(const Shot& shot) {
+    renderer().render(shot.frame());
+    return renderer().read_radiance();
+}
+
+PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int seed, int block) {
+    PictureBatches result(cvars()->vid_width, cvars()->vid_height, block);
+    set("pt_spp", std::to_string(paths));
+    for (int batch = 0; batch < batches; ++batch) {
+        set("pt_seed", std::to_string(seed + batch));
+        result.add(radiance(shot).rgb);
+    }
+    return result;
+}
+
+shader::FrameParams RenderTest::params(const Shot& shot) {
+    shader::FrameParams params{};
+    params.cvars = cvars().gpu_values();
+    vkpt::set_camera(params, shot.view, renderer().path_tracer().size());
+    vkpt::set_scene(params, *renderer().scene());
+    params.time_s = static_cast<float>(shot.time_s);
+    return params;
+}
+
+std::vector<float> RenderTest::trace(const shader::FrameParams& params,
+                                     const vkpt::SceneFeatures& features, uint32_t paths) {
+    const gpu::Device& device = renderer().device();
+    device.wait_idle();
+    vkpt::PathTracer& tracer = renderer().path_tracer();
+    const auto technique = static_cast<Technique>(cvars()->pt_nee);
+    gpu::FrameCommands commands(device);
+    commands.begin();
+    tracer.record(commands, {technique, features, false}, params, paths,
+                  renderer().technique()->samples_lights());
+    commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
+    commands.wait();
+    return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,
+                                       uint64_t{3} * tracer.size().x * tracer.size().y);
+}
+
+std::vector<BspTexInfo*> texinfos_of(Level& level, std::string_view texture) {
+    std::vector<BspTexInfo*> found;
+    for (BspTexInfo& info : level.bsp.texinfos)
+        if (info.texture == texture) found.push_back(&info);
+    return found;
+}
+
+} // namespace vigil::test

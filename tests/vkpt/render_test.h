@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fixture of the GPU tests: one headless renderer per test binary under core and synchronisation
+// validation, with the game data of tests/data. Every test ends with no validation message and no
+// value that was not finite.
+#pragma once
+
+#include "common/cvar.h"
+#include "common/file_system.h"
+#include "picture_comparison.h"
+#include "refresh/vkpt/frame_params.h"
+#include "refresh/vkpt/renderer.h"
+#include "world/level.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace vigil::test {
+
+/// What a frame shows; owns what refresh::Frame only points to.
+struct Shot {
+    refresh::View view;
+    std::vector<refresh::Entity> entities;
+    std::vector<refresh::DynamicLight> dynamic_lights;
+    double time_s = 0.0;
+    refresh::Frame frame() const;
+};
+
+class RenderTest : public testing::Test {
+protected:
+    using Edit = std::function<void(Level&)>;
+
+    /// All variables at their defaults but for the picture's size (48 x 32), and pixel centres for
+    /// camera rays.
+    void SetUp() override;
+    void TearDown() override;
+
+    static vkpt::VkptRenderer& renderer();
+    static FileSystem& files();
+    static void set(std::string_view name, std::string_view value) { cvars().set(name, value); }
+    static void set_size(int width, int height);
+
+    /// Loads maps/NAME of tests/data, changed by `edit` before the renderer sees it.
+    void load(std::string_view name, const Edit& edit = {});
+    const Level& level() const { return *level_; }
+
+    /// One frame's radiance.
+    static refresh::RadiancePicture radiance(const Shot& shot);
+    /// `batches` frames of `paths` paths per pixel with seeds seed, seed + 1, ...
+    static PictureBatches batches(const Shot& shot, int batches, int paths, int seed, int block);
+
+    /// Parameters of a frame as the renderer would make them, for `trace`.
+    static shader::FrameParams params(const Shot& shot);
+    /// Runs the path tracer's passes by themselves with given features, on the scene and the
+    /// bindings of the frame that was rendered last; returns its radiance.
+    static std::vector<float> trace(const shader::FrameParams& params,
+                                    const vkpt::SceneFeatures& features, uint32_t paths);
+
+private:
+    std::shared_ptr<const Level> level_;
+};
+
+/// The texinfos whose texture is `texture`.
+std::vector<BspTexInfo*> texinfos_of(Level& level, std::string_view texture);
+
+} // namespace vigil::test

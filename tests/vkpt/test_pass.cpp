@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "test_pass.h"
+
+#include "shaders/vkpt_test_shaders_includes.inc"
+
+#include <array>
+
+namespace vigil::test {
+
+namespace {
+
+struct Row {
+    std::string_view name;
+    std::span<const uint32_t> code;
+};
+
+const Row rows[] = {
+#include "shaders/vkpt_test_shaders_rows.inc"
+};
+
+} // namespace
+
+std::span<const uint32_t> test_shader_code(std::string_view name) {
+    for (const Row& row : rows)
+        if (row.name == name) return row.code;
+    return {};
+}
+
+TestPass::TestPass(vkpt::VkptRenderer& renderer, const std::string& name)
+    : renderer_(renderer), device_(renderer.device()), name_(name) {}
+
+void TestPass::add_buffer(std::span<const std::byte> bytes) {
+    buffers_.push_back(gpu::make_buffer(device_, bytes, "test"));
+}
+
+void TestPass::add_buffer(size_t bytes) {
+    buffers_.emplace_back(device_, bytes, gpu::MemoryUse::Device, "test");
+}
+
+void TestPass::run(glm::uvec2 groups, glm::uvec2 push) {
+    // Layouts that are defined alike are compatible: these stand for the path tracer's two.
+    std::vector<VkDescriptorType> scene_types(SCENE_BINDING_COUNT,
+                                              VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    scene_types[BINDING_FRAME] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    if (device_.features().ray_query)
+        scene_types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    else
+        scene_types.resize(BINDING_ACCELERATION_STRUCTURE);
+    const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
+                                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    const std::vector<VkDescriptorType> own_types(buffers_.size(),
+                                                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    const gpu::Buffer unused(device_, 16, gpu::MemoryUse::Device, "unused");
+    const gpu::DescriptorSet scene_set(device_, scene_types, unused, "test scene");
+    const gpu::DescriptorSet technique_set(device_, technique_types, unused, "test technique");
+    gpu::DescriptorSet own_set(device_, own_types, unused, "test");
+    for (uint32_t i = 0; i < buffers_.size(); ++i)
+        own_set.bind(i, buffers_[i]);
+    const gpu::Handle<VkPipelineLayout> layout = gpu::make_pipeline_layout(
+        device_, std::array{scene_set.layout(), technique_set.layout(), own_set.layout()});
+
+    const vkpt::SceneFeatures features = renderer_.scene()->features();
+    const std::array<gpu::Specialization, 8> constants{{{0, features.instances},
+                                                        {1, features.translucent},
+                                                        {8, features.sky},
+                                                        {9, features.sun},
+                                                        {10, features.gloss},
+                                                        {11, features.liquid},
+                                                        {12, features.animation},
+                                                        {13, features.lights}}};
+    const gpu::ComputePipeline pipeline(device_, layout.get(), nullptr, test_shader_code(name_),
+                                        constants, name_.c_str());
+    device_.wait_idle();
+    gpu::run_now(device_, [&](VkCommandBuffer commands) {
+        const std::array sets{renderer_.path_tracer().scene_set(),
+                              renderer_.path_tracer().technique_set(), own_set.handle()};
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0,
+                                static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
+        pipeline.bind(commands);
+        vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
+                           &push);
+        vkCmdDispatch(commands, groups.x, groups.y, 1);
+        gpu::full_barrier(commands);
+    });
+}
+
+} // namespace vigil::test

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A compute shader of the tests that runs on the renderer's scene: sets 0 and 1 as the path tracer
+// bound them for the last frame, and buffers of its own in set 2.
+#pragma once
+
+#include "refresh/vkpt/gpu/commands.h"
+#include "refresh/vkpt/gpu/pipeline.h"
+#include "refresh/vkpt/renderer.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vigil::test {
+
+/// Code of a shader of tests/vkpt; empty if there is none of that name.
+std::span<const uint32_t> test_shader_code(std::string_view name);
+
+class TestPass {
+public:
+    /// `name` as in test_shader_code; the scene's features are compiled in.
+    TestPass(vkpt::VkptRenderer& renderer, const std::string& name);
+
+    /// Makes a buffer of set 2 with these bytes; call in the order of the bindings.
+    void add_buffer(std::span<const std::byte> bytes);
+    void add_buffer(size_t bytes);
+
+    /// Runs `groups` work groups with two push constants and waits.
+    void run(glm::uvec2 groups, glm::uvec2 push);
+
+    template <typename T> std::vector<T> read(size_t binding, size_t count) const {
+        return gpu::download_now_as<T>(device_, buffers_[binding], 0, count);
+    }
+
+private:
+    vkpt::VkptRenderer& renderer_;
+    const gpu::Device& device_;
+    std::string name_;
+    std::vector<gpu::Buffer> buffers_;
+};
+
+} // namespace vigil::test
