@@ -71,8 +71,7 @@ void PathTracer::resize(glm::uvec2 size) {
     size_ = size;
 }
 
-void PathTracer::bind(const Scene& scene, const LightTechnique& technique,
-                      VkAccelerationStructureKHR structure) {
+void PathTracer::bind(const Scene& scene, const LightTechnique& technique) {
     scene_set_.bind(BINDING_FRAME, frame_);
     scene_set_.bind(BINDING_BVH_NODES, scene.nodes());
     scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
@@ -91,7 +90,9 @@ void PathTracer::bind(const Scene& scene, const LightTechnique& technique,
     scene_set_.bind(BINDING_EXPOSURE, exposure_);
     scene_set_.bind(BINDING_COUNTERS, counters_);
     scene_set_.bind(BINDING_DISPLAY, display_);
-    if (structure) scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, structure);
+    // The compute backend's pipelines do not look at this binding.
+    if (scene.acceleration_structure() != VK_NULL_HANDLE)
+        scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, scene.acceleration_structure());
     const LightTechnique::Bindings bindings = technique.bindings();
     for (uint32_t i = 0; i < bindings.size(); ++i)
         technique_set_.bind(i, bindings[i] ? *bindings[i] : unused_);

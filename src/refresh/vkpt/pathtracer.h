@@ -29,8 +29,7 @@ public:
     /// too small.
     void resize(glm::uvec2 size);
     /// Points the sets at the scene's and the technique's buffers. The GPU must be idle.
-    void bind(const Scene& scene, const LightTechnique& technique,
-              VkAccelerationStructureKHR structure);
+    void bind(const Scene& scene, const LightTechnique& technique);
 
     /// Records the frame's passes from `primary` to `tonemap`, `paths` paths per pixel.
     void record(gpu::FrameCommands& commands, const PathTracerVariant& variant,

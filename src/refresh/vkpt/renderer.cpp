@@ -49,6 +49,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
     level_ = std::move(level);
     accumulated_ = 0;
     accumulation_key_.clear();
+    ray_query_failed_ = false;
 }
 
 refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
@@ -88,10 +89,30 @@ void VkptRenderer::select_technique(Technique technique) {
 bool VkptRenderer::use_ray_query() const {
     // The compute hierarchy is the default on CPUs, where ray queries are slow, and wherever they
     // are missing.
-    const bool offered = device_.features().ray_query;
+    const bool offered = device_.features().ray_query && !ray_query_failed_;
     if (cvars()->pt_trace == cvar_choice("pt_trace", "query")) return offered;
     return cvars()->pt_trace == cvar_choice("pt_trace", "auto") && offered &&
            !device_.features().is_cpu;
+}
+
+void VkptRenderer::follow_trace_setting() {
+    if (cvars()->pt_trace == trace_setting_) return;
+    trace_setting_ = cvars()->pt_trace;
+    ray_query_failed_ = false;
+    if (trace_setting_ == cvar_choice("pt_trace", "query") && !device_.features().ray_query)
+        log_warning(
+            "pt_trace query: {} does not offer VK_KHR_ray_query; our BVH in compute is used",
+            device_.properties().deviceName);
+}
+
+bool VkptRenderer::prepare_ray_query() {
+    try {
+        return scene_->prepare_ray_query(use_ray_query());
+    } catch (const Error& error) {
+        log_error("ray queries: {}; our BVH in compute is used", error.what());
+        ray_query_failed_ = true;
+        return scene_->prepare_ray_query(false);
+    }
 }
 
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
@@ -131,13 +152,15 @@ void VkptRenderer::render(const refresh::Frame& frame) {
     if (scene_) {
         // Bring scene and technique to this frame.
         select_technique(static_cast<Technique>(cvars()->pt_nee));
+        follow_trace_setting();
         rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
+        rebind_ |= prepare_ray_query();
         rebind_ |= technique_->prepare(scene_->lights());
         shader::FrameParams params = frame_params(frame);
         update_accumulation(params);
         if (rebind_) {
             device_.wait_idle();
-            path_tracer_.bind(*scene_, *technique_, VK_NULL_HANDLE);
+            path_tracer_.bind(*scene_, *technique_);
             rebind_ = false;
         }
         {

@@ -44,6 +44,8 @@ private:
     void resize(glm::uvec2 size);
     void select_technique(Technique technique);
     bool use_ray_query() const;
+    void follow_trace_setting();
+    bool prepare_ray_query();
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
     void present(gpu::FrameCommands& commands, const refresh::Frame& frame);
@@ -64,6 +66,8 @@ private:
     std::unique_ptr<LightTechnique> technique_;
     Technique technique_id_ = Technique::sll;
     bool rebind_ = true;
+    int trace_setting_ = -1;        // pt_trace as it was followed last
+    bool ray_query_failed_ = false; // with this level and setting
 
     uint64_t frame_number_ = 0;
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render

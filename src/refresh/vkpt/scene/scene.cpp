@@ -77,6 +77,8 @@ size_t Scene::place_model(std::string name, ModelGeometry geometry, uint32_t spa
     placed.first_node_word = static_cast<uint32_t>(nodes_.size());
     triangles_.resize(triangles_.size() + geometry.triangles.size());
     primitives_.resize(triangles_.size());
+    if (device_.features().ray_query) corners_.resize(3 * triangles_.size());
+    placed.deforms = spare_percent > 0;
     write_model(placed, geometry);
     // A deforming model needs a little more room when another pose makes a bigger hierarchy.
     const uint32_t words = static_cast<uint32_t>(nodes_.size()) - placed.first_node_word;
@@ -93,6 +95,7 @@ size_t Scene::place_model(std::string name, ModelGeometry geometry, uint32_t spa
 void Scene::write_model(Placed& placed, const ModelGeometry& geometry) {
     const Bvh bvh = build_bvh(geometry.triangles);
     placed.bounds = bvh.bounds;
+    ++placed.revision;
     if (placed.node_words == 0) {
         placed.root = append_bvh(bvh, placed.first_triangle, nodes_);
     } else {
@@ -111,6 +114,12 @@ void Scene::write_model(Placed& placed, const ModelGeometry& geometry) {
         triangle.e1 = source.v1 - source.v0;
         triangle.e2 = source.v2 - source.v0;
         primitives_[placed.first_triangle + slot] = geometry.primitives[bvh.order[slot]];
+        if (!corners_.empty()) {
+            glm::vec3* corners = &corners_[3 * (placed.first_triangle + slot)];
+            corners[0] = source.v0;
+            corners[1] = source.v1;
+            corners[2] = source.v2;
+        }
     }
 }
 
@@ -263,6 +272,25 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
     return renewed;
 }
 
+bool Scene::prepare_ray_query(bool on) {
+    if (!on) {
+        if (ray_query_) device_.wait_idle();
+        ray_query_.reset();
+        return false;
+    }
+    if (!ray_query_) ray_query_.emplace(device_);
+    std::vector<QueryModel> models;
+    models.reserve(placed_.size());
+    for (const Placed& placed : placed_) {
+        models.push_back(
+            {std::span(corners_).subspan(3 * size_t{placed.first_triangle},
+                                         3 * size_t{placed.triangle_count}),
+             std::span(triangles_).subspan(placed.first_triangle, placed.triangle_count),
+             placed.first_triangle, placed.revision, placed.deforms});
+    }
+    return ray_query_->prepare(models, instance_placed_, instances_);
+}
+
 bool Scene::upload_static() {
     device_.wait_idle();
     replace(device_, nodes_buffer_, nodes_, "bottom-level nodes");
@@ -298,6 +326,7 @@ void Scene::upload(gpu::FrameCommands& commands) {
         commands.upload(lights_buffer_, 0, std::as_bytes(lights_.lights()));
         uploaded_light_revision_ = lights_.revision();
     }
+    if (ray_query_) ray_query_->record(commands);
 }
 
 void Scene::update_features(bool any_instances) {
@@ -369,7 +398,12 @@ std::string Scene::describe() const {
           &materials_buffer_, &textures_buffer_, &texels_buffer_, &lights_buffer_,
           &cluster_buffer_})
         bytes += buffer->bytes();
-    text += fmt::format("  scene memory    {:.1f} MiB", static_cast<double>(bytes) / 1048576.0);
+    const uint64_t query_bytes = ray_query_ ? ray_query_->bytes() : 0;
+    text += fmt::format("  scene memory    {:.1f} MiB",
+                        static_cast<double>(bytes + query_bytes) / 1048576.0);
+    if (ray_query_)
+        text += fmt::format(", {:.1f} MiB of it for ray queries",
+                            static_cast<double>(query_bytes) / 1048576.0);
     if (!textures_->missing().empty()) {
         text += fmt::format("\n  {} missing textures:", textures_->missing().size());
         for (const std::string& name : textures_->missing())

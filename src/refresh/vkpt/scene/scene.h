@@ -7,6 +7,7 @@
 #include "formats/md2.h"
 #include "refresh/refresh.h"
 #include "refresh/vkpt/gpu/commands.h"
+#include "refresh/vkpt/scene/acceleration_structure.h"
 #include "refresh/vkpt/scene/light_set.h"
 #include "refresh/vkpt/scene/material_set.h"
 #include "refresh/vkpt/scene/top_level.h"
@@ -51,7 +52,11 @@ public:
     /// buffer was made anew, so that descriptors must be written again; the GPU must be idle then,
     /// which this function sees to.
     bool prepare(const refresh::Frame& frame, float emissive_scale);
-    /// Records the copies of what changed; after prepare.
+    /// After prepare: makes what ray queries need, or brings it to this frame (`on`), or drops it.
+    /// Returns true if acceleration_structure() is another one than before; the GPU is idle then.
+    /// Throws Error if the device has no room for it.
+    bool prepare_ray_query(bool on);
+    /// Records the copies of what changed; after prepare and prepare_ray_query.
     void upload(gpu::FrameCommands& commands);
 
     const Level& level() const { return *level_; }
@@ -72,6 +77,10 @@ public:
     const gpu::Buffer& texels() const { return texels_buffer_; }
     const gpu::Buffer& light_buffer() const { return lights_buffer_; }
     const gpu::Buffer& cluster_tree() const { return cluster_buffer_; }
+    /// The top level for ray queries; null while they are off.
+    VkAccelerationStructureKHR acceleration_structure() const {
+        return ray_query_ ? ray_query_->top() : VK_NULL_HANDLE;
+    }
 
     // What exporting needs (scene_export.h): everything in its host form.
     const std::vector<shader::BvhTriangle>& host_triangles() const { return triangles_; }
@@ -95,6 +104,8 @@ private:
         uint32_t triangle_count = 0;
         uint32_t first_node_word = 0;
         uint32_t node_words = 0; // reserved
+        uint64_t revision = 0;   // of the geometry, from 1
+        bool deforms = false;    // a pose
         Bounds bounds;
         std::vector<LightSource> lights;
     };
@@ -133,6 +144,7 @@ private:
     std::vector<glm::uvec4> nodes_;
     std::vector<shader::BvhTriangle> triangles_;
     std::vector<shader::Primitive> primitives_;
+    std::vector<glm::vec3> corners_; // of the triangles, exact; only where rays can be queried
     std::vector<Placed> placed_;
     std::vector<Model> models_;
     std::map<std::string, refresh::ModelHandle, std::less<>> model_names_;
@@ -157,6 +169,7 @@ private:
     gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
         instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,
         cluster_buffer_;
+    std::optional<AccelerationStructures> ray_query_; // while rays are traced by queries
 };
 
 } // namespace vigil::vkpt
