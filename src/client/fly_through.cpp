@@ -33,7 +33,7 @@ void FlyThrough::end_frame(Session& session, double seconds) {
     if (!plan_.prefix.empty() && frame_ % plan_.every == 0) {
         const refresh::Picture picture = session.renderer().read_picture(false);
         times.seconds = seconds + watch.seconds();
-        write_png(output_path(fmt::format("{}_{:03}.png", plan_.prefix, pictures_)), picture);
+        write_png(picture_path(pictures_), picture);
         ++pictures_;
     } else {
         times.seconds = seconds + watch.seconds();
@@ -43,11 +43,17 @@ void FlyThrough::end_frame(Session& session, double seconds) {
     ++frame_;
 }
 
+std::filesystem::path FlyThrough::picture_path(int number) const {
+    return output_path(fmt::format("{}_{:03}.png", plan_.prefix, number));
+}
+
 void FlyThrough::report(Session& session, const CvarRegistry& variables) const {
     log_info("{} frames, {:.1f} seconds: {:.1f} fps", frame_count_, seconds_,
              frame_count_ / seconds_);
     log_info("{}", statistics_.table());
-    if (pictures_ > 0) log_info("{} pictures: {}", pictures_, output_path(plan_.prefix).string());
+    if (pictures_ > 0) {
+        log_info("wrote {} pictures, {} and on", pictures_, picture_path(0).string());
+    }
     if (plan_.json.empty()) return;
     const std::filesystem::path path = output_path(plan_.json);
     write_file(path, json_text(session, session.renderer().describe_device(), variables));
@@ -85,15 +91,17 @@ std::string FlyThrough::json_text(const Session& session, const std::string& dev
                                     {"p99_ms", pass.p99},
                                     {"share", pass.share}});
     }
-    report["frames"] = ordered_json::array();
+    // Pass times arrive some frames late, and those of the last frames not at all, so the two lists
+    // cannot share an index.
+    report["frame_ms"] = ordered_json::array();
+    report["pass_ms_of_finished_frames"] = ordered_json::array();
     for (const FrameTimes& times : times_) {
-        ordered_json frame;
-        frame["ms"] = times.seconds * 1e3;
-        frame["passes_ms"] = ordered_json::object();
-        for (const refresh::PassTime& pass : times.passes) {
-            frame["passes_ms"][pass.name] = pass.milliseconds;
-        }
-        report["frames"].push_back(std::move(frame));
+        report["frame_ms"].push_back(times.seconds * 1e3);
+        if (times.passes.empty()) continue;
+        ordered_json passes = ordered_json::object();
+        for (const refresh::PassTime& pass : times.passes)
+            passes[pass.name] = pass.milliseconds;
+        report["pass_ms_of_finished_frames"].push_back(std::move(passes));
     }
     // Folder names may hold bytes that are no UTF-8.
     return report.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";

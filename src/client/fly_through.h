@@ -47,6 +47,7 @@ private:
         std::vector<refresh::PassTime> passes;
     };
 
+    std::filesystem::path picture_path(int number) const;
     std::string json_text(const Session& session, const std::string& device,
                           const CvarRegistry& variables) const;
 

@@ -63,7 +63,6 @@ void export_scene(Client& client, CommandArguments arguments) {
     if (session.level() == nullptr) fail("there is no scene before a level is loaded");
     const std::filesystem::path path = path_of(arguments[0], ".gltf");
     session.renderer().export_scene(session.frame(), path.string());
-    log_info("wrote {}", path.string());
 }
 
 std::string_view route_name(std::string_view path) {
