@@ -14,7 +14,7 @@
 namespace vigil::test {
 namespace {
 
-constexpr uint32_t draws_per_pixel = 4096;
+constexpr uint32_t draws_per_pixel = 2048;
 
 class LightProbability : public RenderTest {
 protected:
@@ -41,7 +41,9 @@ protected:
         pass.add_buffer(pixels * answers.row * sizeof(float));
         pass.add_buffer(pixels * answers.row * sizeof(uint32_t));
         pass.add_buffer(pixels * sizeof(float));
-        pass.run((size + 7u) / 8u, {0, draws_per_pixel});
+        const glm::uvec2 tiles = (size + 7u) / 8u;
+        pass.run({tiles, 1}, {0, 1});
+        pass.run({tiles, draws_per_pixel}, {1, 1});
         answers.probabilities = pass.read<float>(0, pixels * answers.row);
         answers.draws = pass.read<uint32_t>(1, pixels * answers.row);
         answers.errors = pass.read<float>(2, pixels);

@@ -34,10 +34,10 @@ void TestPass::add_buffer(std::span<const std::byte> bytes) {
 }
 
 void TestPass::add_buffer(size_t bytes) {
-    buffers_.emplace_back(device_, bytes, gpu::MemoryUse::Device, "test");
+    add_buffer(std::vector<std::byte>(bytes));
 }
 
-void TestPass::run(glm::uvec2 groups, glm::uvec2 push) {
+void TestPass::run(glm::uvec3 groups, glm::uvec2 push) {
     // Layouts that are defined alike are compatible: these stand for the path tracer's two.
     std::vector<VkDescriptorType> scene_types(SCENE_BINDING_COUNT,
                                               VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
@@ -79,7 +79,7 @@ void TestPass::run(glm::uvec2 groups, glm::uvec2 push) {
         pipeline.bind(commands);
         vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
                            &push);
-        vkCmdDispatch(commands, groups.x, groups.y, 1);
+        vkCmdDispatch(commands, groups.x, groups.y, groups.z);
         gpu::full_barrier(commands);
     });
 }

@@ -21,12 +21,12 @@ public:
     /// `name` as in test_shader_code; the scene's features are compiled in.
     TestPass(vkpt::VkptRenderer& renderer, const std::string& name);
 
-    /// Makes a buffer of set 2 with these bytes; call in the order of the bindings.
+    /// Makes a buffer of set 2, holding these bytes or zeros; call in the order of the bindings.
     void add_buffer(std::span<const std::byte> bytes);
     void add_buffer(size_t bytes);
 
     /// Runs `groups` work groups with two push constants and waits.
-    void run(glm::uvec2 groups, glm::uvec2 push);
+    void run(glm::uvec3 groups, glm::uvec2 push);
 
     template <typename T> std::vector<T> read(size_t binding, size_t count) const {
         return gpu::download_now_as<T>(device_, buffers_[binding], 0, count);
