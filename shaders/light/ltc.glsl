@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fitted table of linearly transformed cosines on the GPU: its buffer, and the look-up that shared/ltc.h
-// leaves to the host language. A shader that never calls it makes no access to the table.
+// The fitted table of linearly transformed cosines on the GPU: its buffer, and the look-up that
+// shared/ltc.h leaves to the language that holds the table. A shader that never calls it makes no access to the table.
 #ifndef VIGIL_LIGHT_LTC_GLSL
 #define VIGIL_LIGHT_LTC_GLSL
 
@@ -16,8 +16,9 @@ layout(set = SET_SCENE, binding = BINDING_LTC, scalar) restrict readonly buffer 
 LtcEntry ltc_lookup(float alpha, float view_cosine) {
     const LtcCell cell = ltc_cell(alpha, view_cosine);
     const uint first = cell.row * LTC_TABLE_SIZE + cell.column;
-    return ltc_mix(ltc_entries[first], ltc_entries[first + 1u], ltc_entries[first + LTC_TABLE_SIZE],
-                   ltc_entries[first + LTC_TABLE_SIZE + 1u], cell.weight);
+    const uint below = first + LTC_TABLE_SIZE;
+    return ltc_mix(ltc_entries[first], ltc_entries[first + 1u], ltc_entries[below],
+                   ltc_entries[below + 1u], cell.weight);
 }
 
 /// Prepares a point with a diffuse and a GGX lobe for `ltc_importance`; directions are unit vectors.

@@ -102,16 +102,17 @@ SHADER_FN vec2 sample_triangle(vec2 u) {
     return folded;
 }
 
-/// The offset below per unit of the position's largest coordinate: 16 units in the last place.
+/// The offset below per unit of the position's largest coordinate: 8 to 16 units in the last place.
 SHADER_CONST float RAY_OFFSET_SCALE = 1.0f / 524288.0f;
 /// Positions near the origin are still sums of vertices far from it: count them as at least this
 /// far.
 SHADER_CONST float RAY_OFFSET_REACH = 1024.0f;
 
 /// Moves a point of a surface off it, along the unit geometric normal of the side the ray leaves
-/// from. A point interpolated from vertices is off its plane by a few units in the last place of
-/// the coordinates; the offset is 16 of them: 0.002 at the origin, 0.008 at 4,096 and 0.06 at
-/// 32,768 map units, which clears the error and stays far below the thinnest walls (1 unit).
+/// from. A point interpolated from the triangle's vertices is off its plane by at most one unit in
+/// the last place of the coordinates; the offset is 8 to 16: 0.002 at the origin, 0.008 at 4,096
+/// and 0.06 at 32,768 map units, far below the thinnest walls (1 unit). A point at origin + t *
+/// direction may be off by more (docs/light-sampling.md).
 SHADER_FN vec3 offset_ray_origin(vec3 position, vec3 normal) {
     vec3 size = abs(position);
     float reach = max(max(size.x, size.y), max(size.z, RAY_OFFSET_REACH));

@@ -215,8 +215,6 @@ TEST(FormFactor, IsPositiveWhereverASampleContributes) {
     EXPECT_GT(contributing, 50000);
 }
 
-// How well importance ranks lights is what counts: choosing among lights by it must come close to
-// their true shares.
 TEST(FormFactor, ScalesWithAlbedoAndRadiance) {
     Random random = random_begin(uvec2(0, 0), 0, 4);
     const Case c = random_case(random, 10.0f, 30.0f);

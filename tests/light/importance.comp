@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Asks for the importance of some lights at each surface: all answers for comparison with the host, or their sum
-// for the benchmark. Also the first random numbers of each invocation's stream.
+// Asks for the importance of some lights at each surface: all answers for comparison with the
+// host, or their sum for the benchmark. Also the first random numbers of each invocation's stream.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 

@@ -1,6 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Proves that every header of light sampling is GLSL too: it calls one function of each, and is compiled, not run.
+// Proves that every header of light sampling is GLSL too: it calls one function of each, and is
+// compiled, not run.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
@@ -28,7 +29,8 @@ void main() {
     const BrdfSample drawn = brdf_sample(brdf, normal, normal, random_next3(random));
     const LtcSurface diffuse = ltc_prepare_diffuse(vec3(0.0), normal, 0.5);
     const LtcSurface glossy = ltc_prepare_glossy(vec3(0.0), normal, normal, brdf);
-    const LightSample seen = sample_light(light, offset_ray_origin(vec3(0.0), normal), random_next2(random));
-    result = vec4(ltc_importance(diffuse, light, false) + ltc_importance(glossy, light, true), drawn.seen.pdf,
-                  seen.geometry, alias_choose(entry, slot));
+    const vec3 origin = offset_ray_origin(vec3(0.0), normal);
+    const LightSample seen = sample_light(light, origin, random_next2(random));
+    result = vec4(ltc_importance(diffuse, light, false), ltc_importance(glossy, light, true),
+                  drawn.seen.pdf + seen.geometry, alias_choose(entry, slot));
 }
