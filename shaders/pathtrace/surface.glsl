@@ -31,34 +31,41 @@ struct Vertex {
     bool sky;
 };
 
-vec3 triangle_normal(uint primitive, uint instance) {
-    const BvhTriangle triangle = bvh_load_triangle(primitive);
+/// Unit normal of a triangle's front, in world space.
+vec3 triangle_normal(BvhTriangle triangle, uint instance) {
     const vec3 normal = cross(triangle.e1, triangle.e2);
     if (!HAS_INSTANCES || instance == 0u) return normalize(normal);
     // Normals go with the transposed inverse.
     return normalize(normal * mat3(instances[instance].object_from_world));
 }
 
+/// The point that was hit, from the triangle's vertices: off its plane by a few units in the last place, while the ray's
+/// origin plus t times its direction is off by far more at grazing angles.
+vec3 triangle_point(BvhTriangle triangle, Hit hit) {
+    const vec3 point = triangle.v0 + hit.barycentrics.x * triangle.e1 + hit.barycentrics.y * triangle.e2;
+    if (!HAS_INSTANCES || hit.instance == 0u) return point;
+    return instances[hit.instance].world_from_object * vec4(point, 1.0);
+}
+
 /// Linear mean-filtered texel of a triangle; `cone` is the width of the ray where it hits, in map units.
-vec3 surface_texel(Primitive primitive, Material material, vec2 barycentrics, uint index, float cone) {
+vec3 surface_texel(Primitive primitive, BvhTriangle triangle, Material material, vec2 barycentrics, float cone) {
     const vec2 du = primitive.uv1 - primitive.uv0;
     const vec2 dv = primitive.uv2 - primitive.uv0;
     vec2 uv = primitive.uv0 + barycentrics.x * du + barycentrics.y * dv;
     if (HAS_LIQUID) uv = animate_uv(uv, material.flags);
     // Repeats per map unit from the ratio of the triangle's areas in texture and in space.
-    const BvhTriangle triangle = bvh_load_triangle(index);
     const vec3 area = cross(triangle.e1, triangle.e2);
     const float density = sqrt(abs(du.x * dv.y - du.y * dv.x) * inversesqrt(max(dot(area, area), 1e-12)));
     return sample_texture(material_texture(material), uv, cone * density);
 }
 
 /// Emission of a triangle light seen from its front; `texel` gives a lamp its look without changing its mean.
-vec3 light_emission(Primitive primitive, Hit hit, Material material, vec3 texel, bool textured) {
+vec3 light_emission(Primitive primitive, BvhTriangle triangle, Hit hit, Material material, vec3 texel, bool textured) {
     const uint first = HAS_INSTANCES ? instances[hit.instance].first_light : 0u;
     vec3 emission = lights[first + primitive.light].radiance;
     // A translucent lamp's list entry is dimmed by its coverage; a ray that stops at it has paid for that already.
     if (HAS_TRANSLUCENT) {
-        const uint coverage = bvh_load_triangle(hit.primitive).flags & TRIANGLE_COVERAGE_MASK;
+        const uint coverage = triangle.flags & TRIANGLE_COVERAGE_MASK;
         emission *= 255.0 / float(max(coverage, 1u));
     }
     if (textured && material.inverse_mean != vec3(0.0)) emission *= texel * material.inverse_mean;
@@ -79,15 +86,16 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
         return vertex;
     }
     if (!hit.front) return vertex; // the inside of a wall is black
-    vec3 normal = triangle_normal(hit.primitive, hit.instance);
+    const BvhTriangle triangle = bvh_load_triangle(hit.primitive);
+    const vec3 normal = triangle_normal(triangle, hit.instance);
     const float cosine = max(-dot(normal, ray.direction), 1e-3);
     const float cone = spread * hit.t * inversesqrt(cosine);
-    const vec3 texel = surface_texel(primitive, material, hit.barycentrics, hit.primitive, cone);
+    const vec3 texel = surface_texel(primitive, triangle, material, hit.barycentrics, cone);
     if (HAS_LIGHTS && primitive.light != NONE)
-        vertex.emission = light_emission(primitive, hit, material, texel,
+        vertex.emission = light_emission(primitive, triangle, hit, material, texel,
                                          primary && frame.cvars.pt_emissive_texture != 0);
     vertex.lit = true;
-    vertex.surface.position = ray.origin + hit.t * ray.direction;
+    vertex.surface.position = triangle_point(triangle, hit);
     vertex.surface.normal = normal;
     vertex.surface.origin = offset_ray_origin(vertex.surface.position, normal);
     vertex.surface.view = -ray.direction;
