@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Renders levels with Vigil and with Mitsuba 3 and says whether they agree: one row per level, exit status 1 if one does
+not. Started by crosscheck.py inside Mitsuba's environment."""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import agreement
+import gltf_scene
+import vigil_pictures
+
+SOURCE = Path(__file__).resolve().parents[2]
+SHARED = Path(os.environ.get("VIGIL_SHARED") or SOURCE.parent / "shared") / "levels"
+# Tried in this order; the vectorised one needs LLVM's shared library (libllvm15 or newer in Debian).
+VARIANTS = ("llvm_ad_rgb", "scalar_rgb")
+
+
+@dataclass
+class Level:
+    name: str
+    basedir: Path
+    view: tuple = ()  # x y z pitch yaw roll; none: where the player starts
+    variables: tuple = ()  # pairs
+
+
+LEVELS = {level.name: level for level in [
+    *(Level(name, SOURCE / "tests" / "data") for name in ("lamp", "rooms", "opensky")),
+    # Where all walls shine, points on them are no way to sample light: the variance near corners is infinite.
+    Level("furnace", SOURCE / "tests" / "data", variables=(("pt_nee", "brute"),)),
+    *(Level(name, SOURCE) for name in ("warehouse", "mine", "gallery")),
+    Level("e3m6", SHARED), Level("e1m1", SHARED)]}
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Compares Vigil's pictures with Mitsuba's, of scenes that Vigil exported.")
+    parser.add_argument("vigil", type=Path, help="the program, build/vigil")
+    parser.add_argument("out", type=Path, help="folder for exports, pictures and scores")
+    parser.add_argument("levels", nargs="*", default=list(LEVELS), help="of " + " ".join(LEVELS))
+    parser.add_argument("--size", type=int, nargs=2, default=(160, 96), metavar=("WIDTH", "HEIGHT"))
+    parser.add_argument("--batches", type=int, default=8, help="independent ones, on either side")
+    parser.add_argument("--spp", type=int, default=32, help="paths per pixel of a batch (a multiple of 8)")
+    parser.add_argument("--region", type=int, default=8, help="side of the compared squares in pixels")
+    parser.add_argument("--rounding", type=float, default=5e-4,
+                        help="relative standard error allowed for numbers rounded on the way")
+    parser.add_argument("--integrator", choices=("auto", "path", "short"), default="auto",
+                        help="path: Mitsuba's own; short: short_paths.py; auto: path where it can say the scene")
+    parser.add_argument("--variant", choices=VARIANTS, help="of Mitsuba; default: the first that works here")
+    parser.add_argument("--exact-texels", action="store_true",
+                        help="the exported 8-bit colours unrounded: shows what Vigil's texture format costs")
+    parser.add_argument("--spoil", type=float, default=1.0, metavar="FACTOR",
+                        help="on the radiance of Mitsuba's lamps: shows that the comparison can fail")
+    parser.add_argument("--set", nargs=2, action="append", default=[], metavar=("VARIABLE", "VALUE"),
+                        help="one more variable for Vigil")
+    options = parser.parse_args()
+    unknown = [name for name in options.levels if name not in LEVELS]
+    if unknown:
+        parser.error(f"{unknown[0]}: not one of {' '.join(LEVELS)}")
+    if options.spp % 8 or options.batches < 2:
+        parser.error("--spp must be a multiple of 8, --batches at least 2")
+    return options
+
+
+def works(variant):
+    """Compiling a kernel with an LLVM that is too old ends the whole program, so another one tries it."""
+    trial = ("import mitsuba as mi; mi.set_variant(%r); mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()"
+             % variant)
+    return subprocess.run([sys.executable, "-c", trial], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          check=False).returncode == 0
+
+
+def needs_short_paths(scene):
+    return len(scene.sky_faces) > 0 or any(s.material.f0 > 0 or s.material.coverage < 1 for s in scene.surfaces)
+
+
+def render(exported, folder, options):
+    """(batches, height, width, 3) of Mitsuba, and which integrator it was."""
+    import mitsuba as mi
+    import mitsuba_scene
+    width, height = options.size
+    for surface in exported.surfaces:
+        surface.material.radiance = options.spoil * surface.material.radiance
+    scene, materials = mitsuba_scene.build(exported, folder, width, height, options.exact_texels)
+    short = options.integrator == "short" or (options.integrator == "auto" and needs_short_paths(exported))
+    pictures = []
+    if short:
+        import short_paths
+        tracer = short_paths.Tracer(scene, exported, materials)
+        tracer.learn_lamps(scene.sensors()[0], width, height, 8)
+        for batch in range(options.batches):
+            pictures.append(tracer.picture(scene.sensors()[0], width, height, options.spp, batch))
+    else:
+        # Emission seen directly, light at the first hit, light at the second: three edges.
+        integrator = mi.load_dict({"type": "path", "max_depth": 3, "rr_depth": 1000})
+        for batch in range(options.batches):
+            pictures.append(np.array(mi.render(scene, integrator=integrator, spp=options.spp, seed=batch)))
+    return np.stack(pictures).astype(np.float64), "short" if short else "path"
+
+
+def vigil_batches(level, folder, options):
+    import mitsuba as mi
+    width, height = options.size
+    said = vigil_pictures.run(options.vigil.resolve(), level, folder.resolve(), width, height, options.batches,
+                              options.spp // 8, 8, [*level.variables, *options.set])
+    (folder / "vigil.log").write_text(said)
+    pictures = [np.array(mi.Bitmap(str(folder / f"{level.name}_{batch}.exr")).convert(
+        mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float32, False)) for batch in range(1, options.batches + 1)]
+    return np.stack(pictures).astype(np.float64)
+
+
+def write_pictures(folder, vigil, mitsuba, scores):
+    """vigil.exr, mitsuba.exr, and scores.exr: red where Vigil is brighter, blue where it is darker (in standard errors)."""
+    import mitsuba as mi
+    red_blue = np.stack([np.maximum(scores, 0), np.zeros_like(scores), np.maximum(-scores, 0)], -1)
+    for name, picture in (("vigil", vigil.mean(0)), ("mitsuba", mitsuba.mean(0)), ("scores", red_blue)):
+        mi.Bitmap(picture.astype(np.float32)).write(str(folder / f"{name}.exr"))
+
+
+def row(name, result, paths, seconds):
+    difference = " ".join("%+.3f+-%.3f%%" % (100 * d, 100 * e) for d, e in zip(result.difference, result.error))
+    return "%-10s %7d %7.2f %6.2f (%.2f) %8.4f  %s  %-5s %4.0f s  %s" % (
+        name, result.regions, result.mean_z, result.max_z, result.max_z_limit, result.chi2_p, difference, paths,
+        seconds, "agrees" if result.agrees else "DISAGREES")
+
+
+def check(name, options):
+    """True if the level agrees, False if not, None if it is not here."""
+    level, folder, start = LEVELS[name], options.out / name, time.monotonic()
+    if not (level.basedir / "baseq2" / "maps" / f"{name}.bsp").is_file():
+        print("%-10s skipped: there is no %s/baseq2/maps/%s.bsp" % (name, level.basedir.name, name), flush=True)
+        return None
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    vigil = vigil_batches(level, folder, options)
+    exported = gltf_scene.read_gltf(folder / f"{name}.gltf")
+    mitsuba, paths = render(exported, folder, options)
+    result = agreement.compare(vigil, mitsuba, options.region, options.rounding)
+    write_pictures(folder, vigil, mitsuba, result.scores)
+    np.savez_compressed(folder / "batches.npz", vigil=vigil.astype(np.float32), mitsuba=mitsuba.astype(np.float32))
+    print(row(name, result, paths, time.monotonic() - start), flush=True)
+    return result.agrees
+
+
+def main():
+    options = arguments()
+    variant = options.variant or next((v for v in VARIANTS if works(v)), None)
+    if variant is None:
+        print("crosscheck: skipped, Mitsuba 3 does not run here")
+        return 0
+    import mitsuba as mi
+    mi.set_variant(variant)
+    mi.set_log_level(mi.LogLevel.Warn)
+    print(f"Mitsuba {mi.__version__}, {variant}; {options.batches} batches of {options.spp} paths per pixel on either side")
+    print("%-10s %7s %7s %13s %9s  %-47s %s" % ("level", "regions", "mean z", "max|z| (limit)", "chi2 p",
+                                               "Vigil / Mitsuba - 1: red, green, blue", "paths"))
+    failed = [name for name in options.levels if check(name, options) is False]
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (vigil_pictures.VigilFailed, OSError) as error:
+        print(f"crosscheck: {error}")
+        sys.exit(2)
