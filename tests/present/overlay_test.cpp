@@ -109,7 +109,7 @@ protected:
         vkCmdPipelineBarrier(frame.commands(), VK_PIPELINE_STAGE_TRANSFER_BIT,
                              VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &to_host, 0, nullptr, 0, nullptr);
         frame.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
-        frame.wait();
+        frame.finish();
         const std::span<Pixel> mapped = pixels.mapped_as<Pixel>();
         return {mapped.begin(), mapped.begin() + static_cast<ptrdiff_t>(count)};
     }

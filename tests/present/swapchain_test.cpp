@@ -21,15 +21,11 @@ constexpr uint32_t frames_in_flight = 2;
 class TestWindow : public refresh::SurfaceProvider {
 public:
     TestWindow() {
-        if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("SDL: {}", SDL_GetError());
         window_ = SDL_CreateWindow("swapchain test", 0, 0, 160, 120,
                                    SDL_WINDOW_VULKAN | SDL_WINDOW_RESIZABLE);
         if (!window_) fail("SDL: {}", SDL_GetError());
     }
-    ~TestWindow() override {
-        SDL_DestroyWindow(window_);
-        SDL_QuitSubSystem(SDL_INIT_VIDEO);
-    }
+    ~TestWindow() override { SDL_DestroyWindow(window_); }
     TestWindow(const TestWindow&) = delete;
     TestWindow& operator=(const TestWindow&) = delete;
 
@@ -65,9 +61,18 @@ private:
 
 class SwapchainTest : public testing::Test {
 protected:
+    // One connection for all tests: an X server may reset itself when its last client leaves, and
+    // refuses the next one meanwhile.
+    static void SetUpTestSuite() {
+        if (!has_display()) return;
+        ASSERT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
+    }
+    static void TearDownTestSuite() { SDL_Quit(); }
+
+    static bool has_display() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"); }
+
     void SetUp() override {
-        if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
-            GTEST_SKIP() << "no display: windows cannot be tested";
+        if (!has_display()) GTEST_SKIP() << "no display: windows cannot be tested";
         window_.emplace();
         gpu::DeviceOptions options;
         options.validation = 2;
