@@ -81,7 +81,10 @@ void Client::frame() {
     const Stopwatch watch;
     move_camera(seconds);
     render(seconds);
-    if (flight_) finish_flight_frame(watch.seconds());
+    if (flight_)
+        finish_flight_frame(watch.seconds());
+    else
+        session_.take_frame_times(false);
     commands_.run_frame();
     if (!headless()) {
         show_title(seconds);

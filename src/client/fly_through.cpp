@@ -18,28 +18,29 @@ FlyThrough::FlyThrough(Route route, FlightPlan plan)
       frame_count_(route_.frame_count(plan_.fps)) {}
 
 void FlyThrough::begin_frame(Session& session) {
+    if (frame_ == 0) session.take_frame_times(true); // those of frames before the flight
     const Route::Key view = route_.at(frame_ / plan_.fps);
     session.camera().set(view.origin, view.angles);
     if (frame_ > 0) session.advance(1.0 / plan_.fps);
 }
 
 void FlyThrough::end_frame(Session& session, double seconds) {
-    Stopwatch watch;
-    FrameTimes times;
-    times.passes = session.renderer().pass_times();
-    statistics_.add_frame(times.passes);
+    const Stopwatch watch;
+    FrameRecord record;
+    record.number = session.last_frame();
 
     // Waiting for the picture is rendering time; encoding and writing it is not.
     if (!plan_.prefix.empty() && frame_ % plan_.every == 0) {
         const refresh::Picture picture = session.renderer().read_picture(false);
-        times.seconds = seconds + watch.seconds();
+        record.seconds = seconds + watch.seconds();
         write_png(picture_path(pictures_), picture);
         ++pictures_;
     } else {
-        times.seconds = seconds + watch.seconds();
+        record.seconds = seconds + watch.seconds();
     }
-    seconds_ += times.seconds;
-    times_.push_back(std::move(times));
+    seconds_ += record.seconds;
+    frames_.push_back(std::move(record));
+    take_gpu_times(session, false);
     ++frame_;
 }
 
@@ -47,7 +48,20 @@ std::filesystem::path FlyThrough::picture_path(int number) const {
     return output_path(fmt::format("{}_{:03}.png", plan_.prefix, number));
 }
 
-void FlyThrough::report(Session& session, const CvarRegistry& variables) const {
+void FlyThrough::take_gpu_times(Session& session, bool wait) {
+    for (refresh::FrameTimes& times : session.take_frame_times(wait)) {
+        if (frames_.empty() || times.frame < frames_.front().number) continue;
+        // Frames of a flight follow one another.
+        FrameRecord& record = frames_.at(times.frame - frames_.front().number);
+        statistics_.add_frame(times.passes);
+        record.passes = std::move(times.passes);
+    }
+}
+
+void FlyThrough::report(Session& session, const CvarRegistry& variables) {
+    const Stopwatch watch;
+    take_gpu_times(session, true);
+    seconds_ += watch.seconds();
     log_info("{} frames, {:.1f} seconds: {:.1f} fps", frame_count_, seconds_,
              frame_count_ / seconds_);
     log_info("{}", statistics_.table());
@@ -91,17 +105,12 @@ std::string FlyThrough::json_text(const Session& session, const std::string& dev
                                     {"p99_ms", pass.p99},
                                     {"share", pass.share}});
     }
-    // Pass times arrive some frames late, and those of the last frames not at all, so the two lists
-    // cannot share an index.
-    report["frame_ms"] = ordered_json::array();
-    report["pass_ms_of_finished_frames"] = ordered_json::array();
-    for (const FrameTimes& times : times_) {
-        report["frame_ms"].push_back(times.seconds * 1e3);
-        if (times.passes.empty()) continue;
+    report["frames"] = ordered_json::array();
+    for (const FrameRecord& record : frames_) {
         ordered_json passes = ordered_json::object();
-        for (const refresh::PassTime& pass : times.passes)
+        for (const refresh::PassTime& pass : record.passes)
             passes[pass.name] = pass.milliseconds;
-        report["pass_ms_of_finished_frames"].push_back(std::move(passes));
+        report["frames"].push_back({{"ms", record.seconds * 1e3}, {"passes_ms", passes}});
     }
     // Folder names may hold bytes that are no UTF-8.
     return report.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";

@@ -38,15 +38,17 @@ public:
     void end_frame(Session& session, double seconds);
 
     /// Quake's line and the table of passes; writes the JSON report if one is wanted. Throws Error
-    /// when it cannot be written.
-    void report(Session& session, const CvarRegistry& variables) const;
+    /// when it cannot be written. Waits for the GPU; that time counts.
+    void report(Session& session, const CvarRegistry& variables);
 
 private:
-    struct FrameTimes {
-        double seconds = 0.0;
+    struct FrameRecord {
+        double seconds = 0.0; // of the main loop
+        uint64_t number = 0;  // as the renderer counts
         std::vector<refresh::PassTime> passes;
     };
 
+    void take_gpu_times(Session& session, bool wait);
     std::filesystem::path picture_path(int number) const;
     std::string json_text(const Session& session, const std::string& device,
                           const CvarRegistry& variables) const;
@@ -57,7 +59,7 @@ private:
     int frame_count_ = 0;
     int pictures_ = 0;
     double seconds_ = 0.0;
-    std::vector<FrameTimes> times_;
+    std::vector<FrameRecord> frames_;
     PassStatistics statistics_;
 };
 

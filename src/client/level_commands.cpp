@@ -103,6 +103,7 @@ void add_level_commands(Client& client) {
                  });
     commands.add("passes", ": table of GPU times since the last call or the level's start",
                  [&client](CommandArguments) {
+                     client.session().take_frame_times(true);
                      PassStatistics& statistics = client.session().pass_statistics();
                      log_info("{}", statistics.table());
                      statistics.clear();

@@ -37,6 +37,7 @@ void Session::load_map(std::string_view name) {
     const StartPlace start = find_start(bsp);
     camera_.set(start.origin, start.angles);
     time_s_ = 0.0;
+    take_frame_times(true); // those of the level before
     statistics_.clear();
     ++scene_changes_;
     log_info("{}: {} faces, {} clusters, {} models placed; loaded in {:.2f} s", level_->name,
@@ -97,9 +98,15 @@ Session::Shown Session::present() const {
 void Session::render(ImDrawData* overlay) {
     refresh::Frame now = frame();
     now.overlay = overlay;
-    renderer_.render(now);
-    statistics_.add_frame(renderer_.pass_times());
+    last_frame_ = renderer_.render(now);
     shown_ = present();
+}
+
+std::vector<refresh::FrameTimes> Session::take_frame_times(bool wait) {
+    std::vector<refresh::FrameTimes> times = renderer_.take_frame_times(wait);
+    for (const refresh::FrameTimes& frame : times)
+        statistics_.add_frame(frame.passes);
+    return times;
 }
 
 void Session::render_if_stale() {

@@ -48,8 +48,13 @@ public:
 
     /// The frame as it would be rendered now; its spans are valid until the session changes.
     refresh::Frame frame() const;
-    /// Renders it and records the times of the GPU passes. Throws Error when the device is lost.
+    /// Renders it. Throws Error when the device is lost.
     void render(ImDrawData* overlay);
+    /// Number of the frame that was rendered last.
+    uint64_t last_frame() const { return last_frame_; }
+    /// GPU times of the frames that were finished since the last call, which also enter
+    /// pass_statistics(); with `wait`, of all frames rendered so far.
+    std::vector<refresh::FrameTimes> take_frame_times(bool wait);
     /// Renders once more if the picture does not show the present view, level or settings.
     void render_if_stale();
 
@@ -80,6 +85,7 @@ private:
     uint64_t scene_changes_ = 0;
     std::optional<Shown> shown_;
     PassStatistics statistics_;
+    uint64_t last_frame_ = 0;
 };
 
 } // namespace vigil::client

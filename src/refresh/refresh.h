@@ -88,6 +88,12 @@ struct PassTime {
     double milliseconds = 0.0;
 };
 
+/// GPU times of one frame, in the order of its passes; empty on devices without timestamps.
+struct FrameTimes {
+    uint64_t frame = 0; // as Renderer::render returned it
+    std::vector<PassTime> passes;
+};
+
 /// What a window offers the renderer. Implemented by platform/sdl2 and platform/glfw.
 class SurfaceProvider {
 public:
@@ -113,16 +119,17 @@ public:
     virtual ModelHandle register_model(std::string_view name) = 0;
 
     /// Renders one frame and, with a window, presents it. Settings come from the cvars. Does nothing visible
-    /// before a level is loaded (the overlay still shows).
-    virtual void render(const Frame& frame) = 0;
+    /// before a level is loaded (the overlay still shows). Returns the frame's number, counted from 0.
+    virtual uint64_t render(const Frame& frame) = 0;
 
     /// The last frame after tone mapping, with or without its overlay.
     virtual Picture read_picture(bool with_overlay) = 0;
     /// The last frame's radiance; averaged over frames while pt_accumulate is on.
     virtual RadiancePicture read_radiance() = 0;
 
-    /// GPU time of each pass of the last finished frame, in frame order.
-    virtual std::vector<PassTime> pass_times() = 0;
+    /// Times of the frames that the GPU has finished since the last call, oldest first, without waiting; with
+    /// `wait`, of all frames rendered so far. At most the last 1,024 are kept.
+    virtual std::vector<FrameTimes> take_frame_times(bool wait) = 0;
 
     /// Text of `scene`: what the level switched on, and why.
     virtual std::string describe_scene() const = 0;

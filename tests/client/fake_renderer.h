@@ -46,7 +46,7 @@ public:
         log_.models.emplace_back(name);
         return static_cast<refresh::ModelHandle>(log_.models.size()) - 1;
     }
-    void render(const refresh::Frame& frame) override {
+    uint64_t render(const refresh::Frame& frame) override {
         if (log_.fail_at_frame == frames_) fail("the device was lost");
         ++frames_;
         log_.calls.emplace_back("render");
@@ -56,6 +56,7 @@ public:
         log_.style_1.push_back(frame.light_styles[1]);
         log_.entities.assign(frame.entities.begin(), frame.entities.end());
         log_.dynamic_lights = frame.dynamic_lights.size();
+        return rendered_++;
     }
     refresh::Picture read_picture(bool) override {
         log_.calls.emplace_back("picture");
@@ -65,8 +66,11 @@ public:
         log_.calls.emplace_back("radiance");
         return {2, 1, frames_, {0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f}};
     }
-    std::vector<refresh::PassTime> pass_times() override {
-        return {{"primary", 1.0}, {"shade", 3.0}};
+    std::vector<refresh::FrameTimes> take_frame_times(bool) override {
+        std::vector<refresh::FrameTimes> times;
+        for (; timed_ < rendered_; ++timed_)
+            times.push_back({timed_, {{"primary", 1.0}, {"shade", 3.0}}});
+        return times;
     }
     std::string describe_scene() const override { return "a fake scene"; }
     std::string describe_device() const override { return "a fake device"; }
@@ -78,6 +82,8 @@ private:
     RenderLog& log_;
     std::shared_ptr<const Level> level_;
     int frames_ = 0;
+    uint64_t rendered_ = 0; // frames, and how many of them had their times taken
+    uint64_t timed_ = 0;
 };
 
 } // namespace vigil::client

@@ -171,8 +171,8 @@ TEST_F(ProgramTest, FliesARouteAndReports) {
     EXPECT_NE(output_.find(" fps\n"), std::string::npos);
 
     const auto report = nlohmann::json::parse(game_.read("out/fly.json"));
-    EXPECT_EQ(report["frame_ms"].size(), 6u);
-    EXPECT_EQ(report["pass_ms_of_finished_frames"][0]["shade"], 3.0);
+    EXPECT_EQ(report["frames"].size(), 6u);
+    EXPECT_EQ(report["frames"][5]["passes_ms"]["shade"], 3.0);
     EXPECT_EQ(report["device"], "a fake device");
     EXPECT_EQ(report["level"], "tiny");
     EXPECT_EQ(report["variables"]["timedemo_json"], "fly.json");

@@ -129,7 +129,7 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
     tracer.record(commands, {technique, features, false}, params, paths,
                   renderer().technique()->samples_lights());
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
-    commands.wait();
+    commands.finish();
     return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,
                                        uint64_t{3} * tracer.size().x * tracer.size().y);
 }

@@ -23,6 +23,9 @@ gpu::DeviceOptions device_options() {
     return options;
 }
 
+/// As refresh.h promises.
+constexpr size_t max_finished_times = 1024;
+
 } // namespace
 
 VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface)
@@ -142,13 +145,12 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     accumulation_key_ = std::move(key);
 }
 
-void VkptRenderer::render(const refresh::Frame& frame) {
+uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     resize(picture_size());
-    gpu::FrameCommands& commands = frames_[frame_number_ % frames_in_flight];
-    if (commands.begin()) {
-        for (size_t pass = 0; pass < pass_milliseconds_.size(); ++pass)
-            pass_milliseconds_[pass] = commands.timer().milliseconds(static_cast<uint32_t>(pass));
-    }
+    const size_t slot = frame_number_ % frames_in_flight;
+    gpu::FrameCommands& commands = frames_[slot];
+    finish_slot(slot);
+    commands.begin();
     if (scene_) {
         // Bring scene and technique to this frame.
         select_technique(static_cast<Technique>(cvars()->pt_nee));
@@ -181,8 +183,8 @@ void VkptRenderer::render(const refresh::Frame& frame) {
         ++accumulated_;
     }
     present(commands, frame);
-    ++frame_number_;
-    last_frame_ = &commands;
+    slot_frames_[slot] = frame_number_;
+    return frame_number_++;
 }
 
 void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& frame) {
@@ -221,7 +223,7 @@ void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& f
 }
 
 refresh::Picture VkptRenderer::read_picture(bool with_overlay) {
-    if (!last_frame_) fail("no frame has been rendered");
+    if (frame_number_ == 0) fail("no frame has been rendered");
     device_.wait_idle();
     refresh::Picture picture;
     picture.width = static_cast<int>(picture_.width());
@@ -248,7 +250,7 @@ refresh::Picture VkptRenderer::read_picture(bool with_overlay) {
 }
 
 refresh::RadiancePicture VkptRenderer::read_radiance() {
-    if (!last_frame_ || !scene_) fail("no frame of a level has been rendered");
+    if (frame_number_ == 0 || !scene_) fail("no frame of a level has been rendered");
     device_.wait_idle();
     refresh::RadiancePicture picture;
     picture.width = static_cast<int>(path_tracer_.size().x);
@@ -260,12 +262,24 @@ refresh::RadiancePicture VkptRenderer::read_radiance() {
     return picture;
 }
 
-std::vector<refresh::PassTime> VkptRenderer::pass_times() {
-    std::vector<refresh::PassTime> times;
-    for (size_t pass = 0; pass < pass_milliseconds_.size(); ++pass) {
-        if (pass_milliseconds_[pass] > 0.0)
-            times.push_back({std::string(pass_names[pass]), pass_milliseconds_[pass]});
+void VkptRenderer::finish_slot(size_t slot) {
+    if (!frames_[slot].finish()) return;
+    refresh::FrameTimes times;
+    times.frame = slot_frames_[slot];
+    for (size_t pass = 0; pass < std::size(pass_names); ++pass) {
+        const double milliseconds = frames_[slot].timer().milliseconds(static_cast<uint32_t>(pass));
+        if (milliseconds > 0.0) times.passes.push_back({std::string(pass_names[pass]), milliseconds});
     }
+    if (finished_times_.size() == max_finished_times) finished_times_.pop_front();
+    finished_times_.push_back(std::move(times));
+}
+
+std::vector<refresh::FrameTimes> VkptRenderer::take_frame_times(bool wait) {
+    // Slots take turns, so the one that the next frame will use holds the older frame.
+    for (size_t i = 0; wait && i < frames_in_flight; ++i)
+        finish_slot((frame_number_ + i) % frames_in_flight);
+    std::vector<refresh::FrameTimes> times(finished_times_.begin(), finished_times_.end());
+    finished_times_.clear();
     return times;
 }
 

@@ -10,6 +10,7 @@
 #include "refresh/vkpt/pathtracer.h"
 
 #include <array>
+#include <deque>
 #include <optional>
 
 namespace vigil::vkpt {
@@ -21,10 +22,10 @@ public:
 
     void load_level(std::shared_ptr<const Level> level) override;
     refresh::ModelHandle register_model(std::string_view name) override;
-    void render(const refresh::Frame& frame) override;
+    uint64_t render(const refresh::Frame& frame) override;
     refresh::Picture read_picture(bool with_overlay) override;
     refresh::RadiancePicture read_radiance() override;
-    std::vector<refresh::PassTime> pass_times() override;
+    std::vector<refresh::FrameTimes> take_frame_times(bool wait) override;
     std::string describe_scene() const override;
     std::string describe_device() const override;
     void export_scene(const refresh::Frame& frame, const std::string& path) override;
@@ -48,6 +49,7 @@ private:
     bool prepare_ray_query();
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
+    void finish_slot(size_t slot);
     void present(gpu::FrameCommands& commands, const refresh::Frame& frame);
 
     FileSystem& files_;
@@ -72,8 +74,8 @@ private:
     uint64_t frame_number_ = 0;
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render
     std::vector<std::byte> accumulation_key_; // what the running mean depends on
-    std::array<double, std::size(pass_names)> pass_milliseconds_{};
-    const gpu::FrameCommands* last_frame_ = nullptr;
+    std::array<uint64_t, frames_in_flight> slot_frames_{}; // which frame a slot of frames_ rendered last
+    std::deque<refresh::FrameTimes> finished_times_;
 };
 
 } // namespace vigil::vkpt

@@ -120,12 +120,17 @@ FrameCommands::FrameCommands(const Device& device)
     : device_(&device), pool_(make_pool(device)), commands_(allocate_commands(device, pool_.get())),
       fence_(make_fence(device)), timer_(device) {}
 
-bool FrameCommands::begin() {
-    const bool had_frame = submitted_;
-    if (had_frame) {
-        wait();
-        timer_.collect();
-    }
+bool FrameCommands::finish() {
+    if (!submitted_) return false;
+    const VkFence fence = fence_.get();
+    check(vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+    timer_.collect();
+    submitted_ = false;
+    return true;
+}
+
+void FrameCommands::begin() {
+    finish();
     const VkFence fence = fence_.get();
     check(vkResetFences(device_->handle(), 1, &fence), "vkResetFences");
     check(vkResetCommandPool(device_->handle(), pool_.get(), 0), "vkResetCommandPool");
@@ -134,8 +139,6 @@ bool FrameCommands::begin() {
     staging_chunk_ = 0;
     staging_used_ = 0;
     timer_.begin(commands_);
-    submitted_ = false;
-    return had_frame;
 }
 
 void FrameCommands::submit(VkSemaphore wait, VkPipelineStageFlags wait_stage, VkSemaphore signal) {
@@ -151,12 +154,6 @@ void FrameCommands::submit(VkSemaphore wait, VkPipelineStageFlags wait_stage, Vk
     info.pSignalSemaphores = &signal;
     check(vkQueueSubmit(device_->queue(), 1, &info, fence_.get()), "vkQueueSubmit");
     submitted_ = true;
-}
-
-void FrameCommands::wait() const {
-    if (!submitted_) return;
-    const VkFence fence = fence_.get();
-    check(vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
 }
 
 void FrameCommands::upload(const Buffer& target, uint64_t offset,

@@ -51,14 +51,13 @@ public:
     VkFence fence() const { return fence_.get(); }
     GpuTimer& timer() { return timer_; }
 
-    /// Waits until the GPU has finished this slot's last frame, then starts recording. Returns true
-    /// if the slot had a finished frame, whose timer results may be read before the first new
-    /// timestamp.
-    bool begin();
+    /// Waits until the GPU has finished this slot's last frame, unless that was done before, and
+    /// reads its times. Returns whether there was such a frame.
+    bool finish();
+    /// Finishes this slot's last frame, then starts recording.
+    void begin();
     /// Ends recording and submits; `wait`/`signal` may be null.
     void submit(VkSemaphore wait, VkPipelineStageFlags wait_stage, VkSemaphore signal);
-    /// Blocks until this slot's frame is done.
-    void wait() const;
 
     /// Records a copy of `bytes` into `target` at `offset`. Barriers are the caller's: a
     /// full_barrier after the last upload of a frame.
