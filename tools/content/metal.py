@@ -56,7 +56,7 @@ def corrugated(colour, seed):
 def painted(colour, seed):
     """Painted steel with worn edges of paint showing."""
     image = worn(SMALL, colour, seed, .02, .035)
-    chip = smooth(1.9, 2.3, cloud(SMALL, seed + 2, .9, 4))
+    chip = smooth(2.1, 2.6, cloud(SMALL, seed + 2, 1.3, 2))
     return mix(image, (.34, .33, .31), .7 * chip)
 
 

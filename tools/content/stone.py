@@ -115,16 +115,16 @@ def checker(a, b, cells, seed):
 
 def veins(size, seed):
     """0..1 lines along the zero crossings of turbulent noise."""
-    n = cloud(size, seed, 1.7, 1) + .35 * cloud(size, seed + 1, 1.2, 3)
-    m = cloud(size, seed + 2, 1.7, 1)
-    main = 1 - smooth(0, .10, np.abs(n))
+    n = cloud(size, seed, 2.0, 1) + .22 * cloud(size, seed + 1, 1.4, 4)
+    m = cloud(size, seed + 2, 2.0, 1)
+    main = 1 - smooth(.01, .16, np.abs(n))
     thin = 1 - smooth(0, .05, np.abs(m + .3 * n))
     return np.clip(.8 * main * smooth(-.8, .8, m) + .45 * thin, 0, 1)
 
 
 def marble(base, vein, seed):
     image = times(canvas(SIZE, base), grain(SIZE, seed + 5, .008, .05))
-    return mix(image, vein, .75 * veins(SIZE, seed))
+    return mix(image, vein, .9 * veins(SIZE, seed))
 
 
 def marble_floor(seed):

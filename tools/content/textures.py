@@ -52,6 +52,7 @@ TABLE = {
     "tread": (metal.tread, dict(colour=(.27, .28, .29), seed=28), (.40, .45)),
     "grate": (metal.grate, dict(seed=29), None),
     "hazard": (metal.hazard, dict(seed=30), (.50, .04)),
+    "paint_yellow": (metal.painted, dict(colour=(.58, .40, .03), seed=37), None),
     "shutter": (metal.shutter, dict(colour=(.40, .42, .42), seed=31), (.40, .30)),
     "brass": (metal.brushed, dict(colour=(.62, .44, .17), seed=32), (.25, .80)),
     "rust": (metal.rust, dict(seed=33), None),

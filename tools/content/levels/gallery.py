@@ -46,8 +46,8 @@ def build():
     white = Skin(vigil("white"), vigil("white"), vigil("white"))
     carver.room((352, -192, HEIGHT), (992, 192, HEIGHT + 72), white)
     # Entrance hall and apse.
-    carver.room((-16, -72, 0), (0, 72, 176), nave)
-    carver.room((-400, -160, 0), (-16, 160, 208), nave)
+    carver.room((-16, -104, 0), (0, 104, 208), nave)
+    carver.room((-400, -160, 0), (-16, 160, 224), nave)
     carver.room((LENGTH, -112, 0), (LENGTH + 16, 112, 240), nave)
     carver.room((LENGTH + 16, -144, 0), (LENGTH + 176, 144, 272), nave)
     level.add(*carver.brushes())
@@ -218,9 +218,9 @@ def vase(level, x, y):
 
 def entrance(level):
     """The entrance hall: a counter, a closed double door, a rail, and the doorway's frame."""
-    for y0, y1 in ((-80, -72), (72, 80)):
-        level.add_detail(box((-20, y0, 0), (4, y1, 184), WALNUT.turned()))
-    level.add_detail(box((-20, -80, 176), (4, 80, 188), WALNUT),
+    for y0, y1 in ((-112, -104), (104, 112)):
+        level.add_detail(box((-20, y0, 0), (4, y1, 216), WALNUT.turned()))
+    level.add_detail(box((-20, -112, 208), (4, 112, 222), WALNUT),
                      box((-300, 96, 0), (-180, 128, 40), WALNUT),
                      box((-304, 92, 40), (-176, 132, 44), DARK))
     door = vigil("planks", turn=True)
@@ -238,12 +238,12 @@ def entrance(level):
 def route():
     camera = Route(16)
     x, y, z = STATUE
-    head = (x, y, z + 120)
+    head = (x, y, z + 84)
     for eye, look in [
-        ((-250, 0, 56), (600, 0, 130)), ((-80, 0, 56), (640, 0, 150)),
-        ((140, -20, 60), head), ((330, -130, 66), head), ((500, -206, 80), head),
-        ((672, -214, 96), head), ((860, -196, 110), (x, y, z + 150)),
-        ((944, 0, 120), (x, y, z + 130)), ((860, 190, 100), head), ((672, 212, 80), head),
+        ((-110, 0, 56), (600, 0, 110)), ((20, 0, 56), (640, 0, 130)),
+        ((160, -20, 60), head), ((330, -130, 66), head), ((500, -206, 80), head),
+        ((672, -214, 96), head), ((860, -196, 110), (x, y, z + 100)),
+        ((944, 0, 120), (x, y, z + 90)), ((860, 190, 100), head), ((672, 212, 80), head),
         ((584, 272, 74), (560, 448, 120)), ((500, 334, 70), (420, 448, 110)), ((420, 338, 66), (280, 448, 115)),
         ((260, 332, 64), (300, 60, 90)), ((192, 272, 64), (420, 0, 110)),
         ((180, 140, 64), (620, 0, 150)),

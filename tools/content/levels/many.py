@@ -73,6 +73,7 @@ def arcade(level):
         for x in COLUMNS:
             a, b = sorted((y, y - s * 14))
             level.add_detail(box((x - 14, a, 298), (x + 14, b, 440), PALE))
+        banners(level, s)
         wall = s * (NAVE + AISLE)
         for x in [c + 128 for c in COLUMNS[:-1]]:
             a, b = sorted((wall, wall - s * 10))
@@ -82,8 +83,21 @@ def arcade(level):
                              box((x - 56, a, 52), (x + 56, b, 60), WOOD))
             a, b = sorted((wall, wall - s * 2))
             level.add_detail(box((x - 44, a, 60), (x + 44, b, 200), vigil("metal_blue")))
+            a, b = sorted((wall - s * 2, wall - s * 6))
+            level.add_detail(box((x - 3, a, 60), (x + 3, b, 200), WOOD.turned()),
+                             *[box((x - 44, a, z), (x + 44, b, z + 4), WOOD)
+                               for z in (104, 150)])
         a, b = sorted((wall, wall - s * 4))
         level.add_detail(box((0, a, 0), (LENGTH, b, 12), DARK))
+
+
+def banners(level, side):
+    """Cloths on rods, high between the columns."""
+    for i, x in enumerate(c + 128 for c in COLUMNS[:-1]):
+        cloth = vigil(("plaster_red", "plaster_blue", "plaster_green")[(i + (side > 0)) % 3])
+        a, b = sorted((side * (NAVE - 6), side * (NAVE - 4)))
+        level.add_detail(box((x - 30, a, 312), (x + 30, b, 420), cloth),
+                         box((x - 36, a - 1, 420), (x + 36, b + 1, 424), vigil("brass")))
 
 
 def roof(level):
@@ -144,21 +158,33 @@ def furniture(level):
 
 
 def lanterns(level, count, rng):
-    """count brush lamps: small boxes that shine downwards, at places spread over the hall."""
+    """count brush lamps at places spread over the hall: three-cornered, shining downwards, so that
+    each is one triangle like the lamps of the mesh levels."""
     places = brush_places(count)
     colour, strength = hall_lamps.draw(count, places, rng)
-    half = {True: 16, False: 8}[count <= 10] if count <= 100 else 4
-    area = (2 * half) ** 2
+    half = 18 if count <= 10 else 10 if count <= 100 else 5
+    corners = np.round(half * np.array([(1, 0), (-.5, .9), (-.5, -.9)]))
+    area = abs(np.cross(corners[1] - corners[0], corners[2] - corners[0])) / 2
     iron = vigil("metal_dark")
     for (x, y, z, top), c, s in zip(places, colour, strength):
         radiance = hall_lamps.TOTAL_POWER / count * s / area
         name, rgb, _ = hall_lamps.COLOURS[c]
         value = max(1, round(radiance / (.1 * np.mean(rgb))))
         light = vigil(name).emissive(value).fitted()
-        level.add_detail(box((x - half, y - half, z), (x + half, y + half, z + half),
-                             {"all": iron, "bottom": light}))
+        level.add_detail(prism(corners + [x, y], z, z + half, {"all": iron, "bottom": light}))
         if count <= 100:
             level.add_detail(box((x - 1, y - 1, z + half), (x + 1, y + 1, top), iron))
+    if count > 100:
+        for x, z, lo, hi in sorted({(p[0], p[2], *strung(p[1])) for p in places}):
+            level.add_detail(box((x - 1, lo, z + half), (x + 1, hi, z + half + 1), iron))
+
+
+def strung(y):
+    """Where the rope that carries a lamp at y begins and ends: nave or one of the aisles."""
+    if abs(y) < NAVE:
+        return (-NAVE, NAVE)
+    lo, hi = sorted((np.sign(y) * NAVE, np.sign(y) * (NAVE + AISLE)))
+    return (int(lo), int(hi))
 
 
 def brush_places(count):
@@ -170,7 +196,7 @@ def brush_places(count):
         return nave[:count]
     out = []
     rows = [(-432, 190, AISLE_HEIGHT), (432, 190, AISLE_HEIGHT), (-180, 330, HEIGHT),
-            (0, 290, HEIGHT), (180, 330, HEIGHT)]
+            (44, 290, HEIGHT), (180, 330, HEIGHT)]
     if count <= 100:
         per = int(np.ceil(count / len(rows)))
         for y, z, top in rows:
@@ -184,11 +210,10 @@ def brush_places(count):
         for j in range(25):
             t = (j + .5) / 25
             y = (t - .5) * 2 * (NAVE + AISLE - 24)
-            if abs(y) < NAVE - 24:
-                z = 300 + 90 * (y / NAVE) ** 2 + 10 * (i % 2)
-            else:
-                z = 214 + 10 * ((i + j) % 3)
-                y = np.sign(y) * max(abs(y), NAVE + 30)
+            z = 330 + 24 * (i % 2)
+            if abs(y) >= NAVE - 24:
+                z = 186 + 12 * (i % 2)
+                y = np.sign(y) * max(abs(y), NAVE + 44)
             out.append((x, round(y), round(z), 0))
     return out[:count]
 

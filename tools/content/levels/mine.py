@@ -20,7 +20,7 @@ from sky import sun_direction
 SUN_YAW, SUN_PITCH = 215, -63
 BOTTOM, TOP = -160, 672
 # Where the hole is, its mean radius, and the plan of the cave: circles (x, y, radius).
-HOLE = (1120, 800, 150)
+HOLE = (1120, 800, 165)
 CIRCLES = [(1020, 720, 500), (1340, 900, 330), (640, 480, 260), (1500, 460, 240),
            (1120, 1180, 230), (800, 980, 300)]
 # Galleries: segments with a half width.
@@ -81,7 +81,7 @@ def ceiling(x, y):
 
 def build():
     """The level and its camera route: out of the gallery, around the patch of sun."""
-    level = Level("mine", "The open cut", sky="dusk", _sun_light=900, _sun_color="1 0.88 0.70",
+    level = Level("mine", "The open cut", sky="dusk", _sun_light=1600, _sun_color="1 0.88 0.70",
                   _sun_mangle="%d %d 0" % (SUN_YAW, SUN_PITCH))
     rock = Rock((-1248, -96), (2208, 1568), 64, 17, BOTTOM, TOP, floor, ceiling, seed=4)
     carver = Carver(16)
@@ -137,7 +137,7 @@ def timber_set(level, rock, middle, right, reach, lit):
         lantern(level, x, y, top)
 
 
-def lantern(level, x, y, z, value=900):
+def lantern(level, x, y, z, value=300):
     """An oil lamp on a hook: four panes between a foot and a cap [4 emissive faces]."""
     light = vigil("lamp_sodium").emissive(value).fitted()
     level.add_detail(box((x - 1, y - 1, z - 12), (x + 1, y + 1, z), IRON),
@@ -177,7 +177,7 @@ def cart(level, x, y, yaw):
 
 
 def furniture(level, rock):
-    """Carts, crates, boulders, planks, a ladder under the hole, and lamps deep inside."""
+    """Carts, crates, boulders, tall props, and lamps where the galleries begin."""
     rng = np.random.default_rng(3)
     cart(level, 800, 560, 26.6)
     cart(level, 1240, 1180, 70)
@@ -193,7 +193,7 @@ def furniture(level, rock):
     for x, y in ((760, 1080), (900, 420), (1560, 760)):
         z = ground(rock, x, y)
         level.add_detail(cylinder((x, y), 13, round(z) - 30, 430, POST, 8))
-    for x, y, value in ((1560, 730, 700), (1080, 1290, 700), (1500, 380, 700)):
+    for x, y, value in ((1640, 410, 200), (452, 362, 200)):
         z = round(ground(rock, x, y))
         level.add_detail(box((x - 3, y - 3, z - 8), (x + 3, y + 3, z + 100), POST),
                          box((x - 3, y - 3, z + 94), (x + 17, y + 3, z + 100), BEAM))

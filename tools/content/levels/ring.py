@@ -8,16 +8,17 @@ shade, through the gap around the floor's rim, onto a part of the wall, which li
 
 import numpy as np
 
-from brush import box, circle, prism
+from brush import box, circle, oblong, prism
 from map_file import Level
 from material import ORIGIN, Material, vigil
 from route import Route
 
 SIDES = 48
-FLOOR_RADIUS, WALL_RADIUS, WALL_TOP = 256, 352, 320
-PIT = -160
-LAMP_HEIGHT = -80
-LAMP_VALUE = 1200
+FLOOR_RADIUS, WALL_RADIUS, WALL_TOP = 256, 448, 320
+PIT = -272
+# The lamp looks up at this angle, so that its light passes the rim and meets the wall above it.
+LAMP_HEIGHT, LAMP_TILT = -196, 30
+LAMP_VALUE = 3000
 
 
 def sector(inner, outer, index, z0, z1, materials):
@@ -59,7 +60,7 @@ def build():
     camera = Route(12)
     for angle in np.linspace(-150, 30, 13):
         a = np.radians(angle)
-        camera.key((150 * np.cos(a), 150 * np.sin(a), 150), (-30 * np.cos(a), -30 * np.sin(a), 0))
+        camera.key((70 * np.cos(a), 70 * np.sin(a), 236), (-22 * np.cos(a), -22 * np.sin(a), 0))
     level.start(camera.keys[0][0], 30)
     return level, camera
 
@@ -76,17 +77,22 @@ def figures(level):
 
 
 def lamp(level):
-    """The turning lamp: a shade of five plates, open towards +x, its bright face deep inside."""
-    z = LAMP_HEIGHT
-    black = vigil("metal_dark")
+    """The turning lamp: a tilted shade of four plates around a bright face deep inside."""
+    steel = vigil("metal_dark")
     light = vigil("lamp_panel").emissive(LAMP_VALUE).fitted()
-    brushes = [
-        box((-48, -34, z - 26), (-44, 34, z + 26), {"all": black, "+x": light}),
-        box((-48, -38, z - 30), (24, -34, z + 30), black),
-        box((-48, 34, z - 30), (24, 38, z + 30), black),
-        box((-48, -34, z - 30), (24, 34, z - 26), black),
-        box((-48, -34, z + 26), (-20, 34, z + 30), black),
-        box((-6, -6, PIT + 2), (6, 6, z - 30), black),
-        box((-4, -4, z - 4), (4, 4, z + 4), Material("vigil/black", contents=ORIGIN)),
-    ]
+    a = np.radians(LAMP_TILT)
+    forward = np.array([np.cos(a), 0, np.sin(a)])
+    up = np.array([-np.sin(a), 0, np.cos(a)])
+    right = np.array([0, -1.0, 0])
+    back = np.array([0, 0, LAMP_HEIGHT]) - 40 * forward
+    front = back + 88 * forward
+    plate = oblong(back - 4 * forward, back, right * 26, up * 22, steel)
+    plate.sides[1].material = light
+    brushes = [plate, box((-5, -5, PIT + 2), (5, 5, LAMP_HEIGHT - 30), steel)]
+    for side in (-1, 1):
+        brushes += [
+            oblong(back + side * 24 * right, front + side * 24 * right, right * 2, up * 22, steel),
+            oblong(back + side * 20 * up, front + side * 20 * up, right * 22, up * 2, steel)]
+    z = LAMP_HEIGHT
+    brushes.append(box((-4, -4, z - 4), (4, 4, z + 4), Material("vigil/black", contents=ORIGIN)))
     level.entity("func_rotating", brushes, targetname="lamp", speed=0)

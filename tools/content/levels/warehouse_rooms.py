@@ -89,8 +89,31 @@ def aisle(level, rng, room, index, name):
                              {"all": STEEL, face: sign}))
 
 
+def lanes(level, room, margin, along):
+    """Two painted lines on the floor beside the way through a hall."""
+    x0, y0, x1, y1, z0 = room[:5]
+    paint = vigil("paint_yellow")
+    if along == "x":
+        for y in (y0 + margin, y1 - margin):
+            level.add_detail(box((x0 + 8, y - 3, z0), (x1 - 8, y + 3, z0 + .25), paint))
+    else:
+        for x in (x0 + margin, x1 - margin):
+            level.add_detail(box((x - 3, y0 + 8, z0), (x + 3, y1 - 8, z0 + .25), paint))
+
+
+def guards(level):
+    """Striped corner guards at the portals of corridor and north hall."""
+    for x in (424, 636, 1052):
+        for y in (505, 612):
+            level.add_detail(box((x - 3, y, 0), (x + 19, y + 3, 44), HAZARD))
+    for x in (404, 628, 1044):
+        for y in (1481, 1604):
+            level.add_detail(box((x - 3, y, 0), (x + 19, y + 3, 44), HAZARD))
+
+
 def dock(level, rng, rooms):
     room = rooms["dock"]
+    lanes(level, room, 232, "x")
     girders(level, room, 160)
     for x, y in grid(room, 6, 3):
         lamp.high_bay(level, x, y, 288, 34, "lamp_sodium", 420)
@@ -157,6 +180,8 @@ def corridors(level, rng, rooms):
 
 def north(level, rng, rooms):
     room = rooms["north"]
+    lanes(level, room, 24, "x")
+    guards(level)
     girders(level, room, 158)
     for x in (80, 236, 396, 552, 712, 868, 1028, 1184):
         lamp.high_bay(level, x, 1544, 304, 40, "lamp_sodium", 420)
@@ -364,6 +389,7 @@ def lockers(level, rng, rooms):
 
 def packing(level, rng, rooms):
     room = rooms["packing"]
+    lanes(level, (1408, 1322, 2224, 1402, 0), 0, "x")
     girders(level, room, 136)
     for x, y in grid(room, 6, 3):
         lamp.high_bay(level, x, y, 272, 34, "lamp_sodium" if y > 1600 else "lamp_cool", 420)
