@@ -5,9 +5,24 @@
 #ifndef VIGIL_TRACE_BVH_GLSL
 #define VIGIL_TRACE_BVH_GLSL
 
+// With TRACE_TEXEL=1 the nodes are a texel buffer (R32G32B32A32_UINT): the same bytes through the
+// texture path. On lavapipe that is 1.3 to 1.7 times as fast as a storage buffer, whose divergent
+// loads it does lane by lane and word by word.
+#if TRACE_TEXEL
+layout(set = SET_SCENE, binding = BINDING_BVH_NODES) uniform usamplerBuffer bvh_nodes;
+
+uvec4 bvh_load_node(uint word) {
+    return texelFetch(bvh_nodes, int(word));
+}
+#else
 layout(set = SET_SCENE, binding = BINDING_BVH_NODES, scalar) restrict readonly buffer BvhNodes {
     uvec4 bvh_nodes[];
 };
+
+uvec4 bvh_load_node(uint word) {
+    return bvh_nodes[word];
+}
+#endif
 layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES,
        scalar) restrict readonly buffer BvhTriangles {
     BvhTriangle bvh_triangles[];
@@ -16,9 +31,6 @@ layout(set = SET_SCENE, binding = BINDING_TOP_NODES, scalar) restrict readonly b
     TopNode top_nodes[];
 };
 
-uvec4 bvh_load_node(uint word) {
-    return bvh_nodes[word];
-}
 BvhTriangle bvh_load_triangle(uint index) {
     return bvh_triangles[index];
 }

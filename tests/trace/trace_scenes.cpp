@@ -150,20 +150,32 @@ shader::Hit brute_force(const std::vector<shader::BvhTriangle>& triangles, const
     return hit;
 }
 
-bool certain_hit(const shader::BvhTriangle& triangle, const shader::Ray& ray) {
+ExactHit exact_hit(const shader::BvhTriangle& triangle, const shader::Ray& ray) {
     const glm::dvec3 e1(triangle.e1);
     const glm::dvec3 e2(triangle.e2);
     const glm::dvec3 d(ray.direction);
     const glm::dvec3 p = glm::cross(d, e2);
     const double determinant = glm::dot(e1, p);
-    if (determinant == 0.0) return false;
     const glm::dvec3 s = glm::dvec3(ray.origin) - glm::dvec3(triangle.v0);
     const glm::dvec3 q = glm::cross(s, e1);
-    const double u = glm::dot(s, p) / determinant;
-    const double v = glm::dot(d, q) / determinant;
-    const double t = glm::dot(e2, q) / determinant;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > ray.t_min * (1.0 + 1e-5) + 1e-9 &&
-           t < ray.t_max * (1.0 - 1e-5);
+    ExactHit hit;
+    hit.u = glm::dot(s, p) / determinant;
+    hit.v = glm::dot(d, q) / determinant;
+    hit.t = glm::dot(e2, q) / determinant;
+    hit.front = determinant > 0.0;
+    // Vertices are off by a rounding of their coordinates (v1 and v2 are not stored), products by
+    // roundings of their factors: sixteen such steps, all at once and in the worst direction,
+    // divided by the determinant.
+    const double epsilon = 16.0 / 16777216.0;
+    const glm::dvec3 v0(triangle.v0);
+    const double edge = std::max(glm::length(e1), glm::length(e2));
+    const double reach = glm::length(s) + glm::length(v0) + 2.0 * edge;
+    const double error = epsilon * glm::length(d) * reach * edge / std::abs(determinant);
+    hit.tolerance = error + shader::BVH_EDGE_MARGIN;
+    hit.t_tolerance = error * edge * glm::length(s) / (glm::length(d) * edge) +
+                      epsilon * std::abs(hit.t) + error * edge / glm::length(d);
+    if (determinant == 0.0) hit.u = -1.0; // parallel: no hit
+    return hit;
 }
 
 } // namespace vigil::test

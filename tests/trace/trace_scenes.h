@@ -34,7 +34,20 @@ std::vector<shader::Ray> random_rays(std::size_t count, const Bounds& bounds, st
 shader::Hit brute_force(const std::vector<shader::BvhTriangle>& triangles, const shader::Ray& ray,
                         std::uint32_t seed = 0, std::uint32_t instance = 0);
 
-/// Whether double precision confirms by a clear margin that the ray hits this triangle.
-bool certain_hit(const shader::BvhTriangle& triangle, const shader::Ray& ray);
+/// Where a ray meets a triangle's plane, in double precision, and how far single precision may be
+/// off.
+struct ExactHit {
+    double t, u, v;
+    double tolerance;   // of u and v
+    double t_tolerance; // of t
+    bool front;
+
+    /// Whether the ray hits the triangle beyond doubt.
+    bool certain(const shader::Ray& ray) const {
+        return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > ray.t_min + t_tolerance &&
+               t < ray.t_max - t_tolerance;
+    }
+};
+ExactHit exact_hit(const shader::BvhTriangle& triangle, const shader::Ray& ray);
 
 } // namespace vigil::test

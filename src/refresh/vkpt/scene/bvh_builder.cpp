@@ -1,118 +1,199 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Turns the binary tree of sah_builder into the nodes of shaders/shared/bvh.h, depth first, and
-// pads every box so that the traversal's arithmetic never misses a triangle that the triangle test
-// would hit.
+// Turns the tree of sah_builder into the nodes of shaders/shared/bvh.h, depth first, siblings side
+// by side, and pads every box so that the traversal's arithmetic never misses a triangle that the
+// triangle test would hit.
 #include "refresh/vkpt/scene/bvh_builder.h"
 
+#include "common/error.h"
 #include "refresh/vkpt/scene/sah_builder.h"
+#include "refresh/vkpt/scene/triangle_pairs.h"
 #include "shared/bvh.h"
 
 #include <bit>
+#include <cmath>
 
 namespace vigil {
 
 namespace {
 
-static_assert(SAH_MAX_DEPTH < shader::BVH_MAX_DEPTH);
+/// Boxes grow by this share of the node's largest coordinate: eight roundings, where the box test
+/// makes four that are relative to the node's place and extent.
+constexpr float PADDING = 0x1p-21f;
+constexpr std::uint32_t GRID_MAX = 65535;
 
-/// Triangles per leaf: what the reference's 4 count bits hold is 16; 4 measured best.
-constexpr std::uint32_t MAX_LEAF = 4;
+/// Inner nodes on the longest path of the planned tree.
+std::uint32_t wide_depth(const SahNode& node) {
+    if (node.leaf()) return 0;
+    std::uint32_t depth = 0;
+    for (const SahNode* child : wide_children(node))
+        depth = std::max(depth, wide_depth(*child));
+    return depth + 1;
+}
 
-/// Boxes grow by this share of the largest coordinate, a few rounding steps of the box test.
-constexpr float PADDING = 4.0f / 16777216.0f;
+std::unique_ptr<SahNode> build_tree(std::vector<SahItem>& items) {
+    // Only contrived input makes the heuristic's tree deeper than the traversal's stack; then
+    // halving by count takes over earlier.
+    for (std::uint32_t split_depth = 48;; split_depth /= 2) {
+        auto root = build_sah(items, SahOptions{.split_depth = split_depth});
+        plan_wide_nodes(*root);
+        if (split_depth <= 1 || wide_depth(*root) <= shader::BVH_MAX_DEPTH) return root;
+    }
+}
 
-class Encoder {
+/// A node's grid: box corners become 16-bit steps from `origin`, rounded outwards.
+class Grid {
 public:
-    explicit Encoder(std::vector<glm::uvec4>& nodes) : nodes_(nodes) {}
-
-    std::uint32_t encode(const SahNode& node) {
-        if (node.leaf()) {
-            return shader::BVH_LEAF | (node.count - 1) << shader::BVH_LEAF_COUNT_SHIFT | node.first;
-        }
-        const std::size_t word = add_node();
-        for (int i = 0; i < 2; ++i) {
-            const std::uint32_t reference = encode(*node.child[i]);
-            write(word, i, node.child[i]->bounds, reference);
-        }
-        return static_cast<std::uint32_t>(word / shader::BVH_NODE_WORDS);
+    explicit Grid(const Bounds& bounds) {
+        const glm::vec3 magnitude = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
+        padding_ = PADDING * std::max({magnitude.x, magnitude.y, magnitude.z, 1e-20f});
+        origin_ = bounds.lower - 2.0f * padding_;
+        const glm::vec3 extent = bounds.upper - origin_;
+        const float largest = std::max({extent.x, extent.y, extent.z}) + 2.0f * padding_;
+        // The power of two that lets the largest extent fit.
+        int exponent = 0;
+        std::frexp(largest / static_cast<float>(GRID_MAX - 1), &exponent);
+        step_ = std::ldexp(1.0f, std::max(exponent, -100));
     }
 
-    /// A root must be an inner node: a lone leaf gets one with a single child.
-    void encode_root(const SahNode& root) {
-        if (!root.leaf()) {
-            encode(root);
-            return;
-        }
-        const std::size_t word = add_node();
-        write(word, 0, root.bounds, encode(root));
+    std::uint32_t interval(float lower, float upper, int axis) const {
+        const double first = (double{lower} - padding_ - origin_[axis]) / step_;
+        const double last = (double{upper} + padding_ - origin_[axis]) / step_;
+        const auto low = static_cast<std::uint32_t>(std::max(std::floor(first), 0.0));
+        const auto high =
+            static_cast<std::uint32_t>(std::min(std::ceil(last), static_cast<double>(GRID_MAX)));
+        return low | high << 16;
     }
 
-    /// A node with no children.
-    std::size_t add_node() {
-        const std::size_t word = nodes_.size();
-        nodes_.resize(word + shader::BVH_NODE_WORDS);
-        for (int i = 0; i < 2; ++i) {
-            const std::uint32_t one = std::bit_cast<std::uint32_t>(1.0f);
-            const std::uint32_t minus_one = std::bit_cast<std::uint32_t>(-1.0f);
-            nodes_[word + 2 * i] = glm::uvec4(one, one, one, 0);
-            nodes_[word + 2 * i + 1] = glm::uvec4(minus_one, minus_one, minus_one, 0);
-        }
-        return word;
+    glm::uvec4 meta(std::uint32_t child_node) const {
+        return {std::bit_cast<std::uint32_t>(origin_.x), std::bit_cast<std::uint32_t>(origin_.y),
+                std::bit_cast<std::uint32_t>(origin_.z),
+                std::bit_cast<std::uint32_t>(step_) | child_node};
     }
 
 private:
-    void write(std::size_t word, int child, const Bounds& bounds, std::uint32_t reference) {
-        const glm::vec3 magnitude = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
-        const float pad = PADDING * glm::max(glm::max(magnitude.x, magnitude.y), magnitude.z);
-        const glm::vec3 lower = bounds.lower - pad;
-        const glm::vec3 upper = bounds.upper + pad;
-        for (int axis = 0; axis < 3; ++axis) {
-            nodes_[word + 2 * child][axis] = std::bit_cast<std::uint32_t>(lower[axis]);
-            nodes_[word + 2 * child + 1][axis] = std::bit_cast<std::uint32_t>(upper[axis]);
+    glm::vec3 origin_;
+    float padding_;
+    float step_;
+};
+
+class Encoder {
+public:
+    Encoder(std::span<const BvhInputTriangle> triangles, std::span<const TrianglePair> pairs,
+            std::span<const SahItem> items, Bvh& bvh)
+        : triangles_(triangles), pairs_(pairs), items_(items), bvh_(bvh) {}
+
+    /// Appends a node of four empty leaves and returns its index.
+    std::uint32_t add_node() {
+        const std::size_t index = bvh_.nodes.size() / shader::BVH_NODE_WORDS;
+        if (index > shader::BVH_CHILD_NODE_MASK)
+            fail("a model has too many triangles for its hierarchy");
+        for (int record = 0; record < 4; ++record) {
+            bvh_.nodes.resize(bvh_.nodes.size() + 3, glm::uvec4(0));
+            bvh_.nodes.emplace_back(0, 0, 0, shader::BVH_LEAF);
         }
-        nodes_[word + child][3] = reference;
+        return static_cast<std::uint32_t>(index);
     }
 
-    std::vector<glm::uvec4>& nodes_;
+    void encode(const SahNode& tree, std::uint32_t record) {
+        if (tree.leaf()) {
+            encode_leaf(pairs_[items_[tree.item].index], record);
+            return;
+        }
+        const std::vector<const SahNode*> children = wide_children(tree);
+        const std::uint32_t node = add_node();
+        const Grid grid(tree.bounds);
+        glm::uvec4* words = &bvh_.nodes[std::size_t{record} * shader::BVH_RECORD_WORDS];
+        for (int axis = 0; axis < 3; ++axis) {
+            // Slots without a child keep a point of the grid as their box; an empty leaf lies
+            // behind it.
+            words[axis] = glm::uvec4(GRID_MAX | GRID_MAX << 16);
+            for (std::size_t i = 0; i < children.size(); ++i) {
+                const Bounds& box = children[i]->bounds;
+                words[axis][i] = grid.interval(box.lower[axis], box.upper[axis], axis);
+            }
+        }
+        words[3] = grid.meta(node);
+        for (std::size_t i = 0; i < children.size(); ++i)
+            encode(*children[i], 4 * node + static_cast<std::uint32_t>(i));
+    }
+
+private:
+    void encode_leaf(const TrianglePair& pair, std::uint32_t record) {
+        const BvhInputTriangle& first = triangles_[pair.first];
+        std::array<glm::vec3, 4> corner;
+        for (std::uint32_t i = 0; i < 3; ++i)
+            corner[i] = TrianglePairFinder::vertex(first, pair.first_rotation + i);
+        corner[3] = corner[2];
+        std::uint32_t flags = first.coverage | pair.first_rotation << 16;
+        const auto slot = static_cast<std::uint32_t>(bvh_.order.size());
+        bvh_.order.push_back(pair.first);
+        if (pair.second != shader::NONE) {
+            const BvhInputTriangle& second = triangles_[pair.second];
+            corner[3] = TrianglePairFinder::vertex(second, pair.second_rotation + 2);
+            flags |= second.coverage << 8 | pair.second_rotation << 18;
+            bvh_.order.push_back(pair.second);
+        }
+        glm::uvec4* words = &bvh_.nodes[std::size_t{record} * shader::BVH_RECORD_WORDS];
+        for (int i = 0; i < 3; ++i) {
+            for (int axis = 0; axis < 3; ++axis)
+                words[i][axis] = std::bit_cast<std::uint32_t>(corner[i][axis]);
+            words[i][3] = std::bit_cast<std::uint32_t>(corner[3][i]);
+        }
+        words[3] = {slot, flags, 0, shader::BVH_LEAF};
+    }
+
+    std::span<const BvhInputTriangle> triangles_;
+    std::span<const TrianglePair> pairs_;
+    std::span<const SahItem> items_;
+    Bvh& bvh_;
 };
 
 } // namespace
 
 Bvh build_bvh(std::span<const BvhInputTriangle> triangles) {
     Bvh bvh;
-    std::vector<SahItem> items(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        items[i].index = static_cast<std::uint32_t>(i);
-        items[i].bounds.grow(triangles[i].v0);
-        items[i].bounds.grow(triangles[i].v1);
-        items[i].bounds.grow(triangles[i].v2);
-        bvh.bounds.grow(items[i].bounds);
+    const std::vector<TrianglePair> pairs = TrianglePairFinder(triangles).find();
+    std::vector<SahItem> items;
+    items.reserve(pairs.size());
+    for (const TrianglePair& pair : pairs) {
+        items.push_back({pair.bounds, static_cast<std::uint32_t>(items.size())});
+        bvh.bounds.grow(pair.bounds);
     }
-    Encoder encoder(bvh.nodes);
-    if (triangles.empty()) {
-        encoder.add_node();
-        return bvh;
-    }
-    const auto root = build_sah(items, SahOptions{.max_leaf = MAX_LEAF});
-    encoder.encode_root(*root);
-    bvh.order.reserve(items.size());
-    for (const SahItem& item : items)
-        bvh.order.push_back(item.index);
+    Encoder encoder(triangles, pairs, items, bvh);
+    bvh.order.reserve(triangles.size());
+    const std::uint32_t root = encoder.add_node();
+    if (items.empty()) return bvh;
+    const auto tree = build_tree(items);
+    encoder.encode(*tree, 4 * root);
     return bvh;
+}
+
+std::vector<glm::uvec4> rebase_bvh(const Bvh& bvh, std::uint32_t first_primitive,
+                                   std::uint32_t first_node) {
+    if (first_node + bvh.nodes.size() / shader::BVH_NODE_WORDS > shader::BVH_CHILD_NODE_MASK)
+        fail("the models have too many triangles for one buffer of hierarchies");
+    std::vector<glm::uvec4> nodes = bvh.nodes;
+    for (std::size_t word = 3; word < nodes.size(); word += shader::BVH_RECORD_WORDS) {
+        glm::uvec4& meta = nodes[word];
+        if ((meta.w & shader::BVH_LEAF) != 0)
+            meta.x += first_primitive;
+        else
+            meta.w += first_node;
+    }
+    return nodes;
 }
 
 std::uint32_t append_bvh(const Bvh& bvh, std::uint32_t first_primitive,
                          std::vector<glm::uvec4>& nodes) {
-    const auto base = static_cast<std::uint32_t>(nodes.size() / shader::BVH_NODE_WORDS);
-    const std::size_t begin = nodes.size();
-    nodes.insert(nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
-    for (std::size_t word = begin; word < nodes.size(); word += shader::BVH_NODE_WORDS) {
-        for (int child = 0; child < 2; ++child) {
-            std::uint32_t& reference = nodes[word + child][3];
-            reference += (reference & shader::BVH_LEAF) != 0 ? first_primitive : base;
-        }
-    }
-    return base;
+    const auto first_node = static_cast<std::uint32_t>(nodes.size() / shader::BVH_NODE_WORDS);
+    const std::vector<glm::uvec4> rebased = rebase_bvh(bvh, first_primitive, first_node);
+    nodes.insert(nodes.end(), rebased.begin(), rebased.end());
+    return first_node;
+}
+
+std::size_t max_bvh_words(std::size_t triangle_count) {
+    // The root's node, and one for each inner record: a tree of n leaves has at most n - 1.
+    return std::max<std::size_t>(triangle_count, 1) * shader::BVH_NODE_WORDS;
 }
 
 } // namespace vigil

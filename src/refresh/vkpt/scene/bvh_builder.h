@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Builds the bottom-level bounding volume hierarchy of one model: binned SAH (Wald 2007), then
-// written in the node format of shaders/shared/bvh.h. Pure CPU work; it neither knows Vulkan nor
-// uploads anything, and it does not refit: a model that deforms is built again.
+// Builds the bottom-level bounding volume hierarchy of one model: triangles in pairs, surface area
+// heuristic, four-wide nodes in the format of shaders/shared/bvh.h. Pure CPU work; it neither knows
+// Vulkan nor uploads anything, and it does not refit: a model that deforms is built again.
 #pragma once
 
 #include "refresh/vkpt/scene/bounds.h"
@@ -28,15 +28,24 @@ struct Bvh {
     Bounds bounds;                    // of all triangles; empty when there are none
 };
 
-/// Builds the hierarchy. `order` names every input triangle exactly once. Zero triangles give
-/// one root that nothing hits. Uses up to two threads.
+/// Builds the hierarchy. `order` names every input triangle exactly once. Zero triangles give one
+/// root that nothing hits. Uses up to two threads. Throws Error beyond 8 million nodes.
 Bvh build_bvh(std::span<const BvhInputTriangle> triangles);
 
-/// Appends `bvh` to the node buffer that all models share (BINDING_BVH_NODES). `first_primitive` is
-/// the index in BvhTriangle[] / Primitive[] where the model's leaf slot 0 lies. Returns the root
-/// for Instance::bvh_root (a node index). The static world is appended first, so that its root is
-/// 0.
+/// The nodes of `bvh` as they must stand in the node buffer that all models share
+/// (BINDING_BVH_NODES), when the model's root gets node index `first_node` and its leaf slot 0 lies
+/// at `first_primitive` in BvhTriangle[] / Primitive[]. Throws Error when an index does not fit the
+/// format.
+std::vector<glm::uvec4> rebase_bvh(const Bvh& bvh, std::uint32_t first_primitive,
+                                   std::uint32_t first_node);
+
+/// Appends the rebased `bvh` to the node buffer. Returns the root for Instance::bvh_root (a node
+/// index). The static world is appended first, so that its root is 0.
 std::uint32_t append_bvh(const Bvh& bvh, std::uint32_t first_primitive,
                          std::vector<glm::uvec4>& nodes);
+
+/// What build_bvh needs at most for this many triangles, in uvec4: room for every pose of a
+/// deforming model.
+std::size_t max_bvh_words(std::size_t triangle_count);
 
 } // namespace vigil

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The binary hierarchy that both levels start from: binned surface area heuristic (Wald 2007) over
-// boxes. It knows boxes only; triangles, node formats and instances are its callers' business.
+// The binary hierarchy that both levels start from: surface area heuristic, binned (Wald 2007) or,
+// for few items, exact; and its best reading as a tree of wider nodes (the dynamic programme of
+// Ylitie et al. 2017). It knows boxes only; triangles, node formats and instances are its callers'
+// business.
 #pragma once
 
 #include "refresh/vkpt/scene/bounds.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -17,29 +20,34 @@ struct SahItem {
     std::uint32_t index = 0;
 };
 
-/// A node: inner when it has two children, else a leaf of items [first, first + count).
+/// A node: inner when it has two children, else a leaf of one item.
 struct SahNode {
     Bounds bounds;
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
+    std::uint32_t item = 0; // of a leaf: position in the items
     std::unique_ptr<SahNode> child[2];
 
     bool leaf() const { return child[0] == nullptr; }
+
+    /// Set by plan_wide_nodes: least cost of this subtree shown as at most i + 1 nodes side by
+    /// side, and how many of them the left child gets (0: one less does as well).
+    std::array<float, 4> cost{};
+    std::array<std::uint8_t, 4> left_share{};
 };
 
 struct SahOptions {
-    std::uint32_t max_leaf = 4;  // items in a leaf, at least 1
-    float traversal_cost = 1.0f; // of one inner node, in item tests
-    bool threads = true;         // build the two halves of big trees at the same time
+    std::uint32_t split_depth = 48; // deeper nodes are halved by count, which bounds the depth
+    bool threads = true;            // build the two halves of big trees at the same time
 };
 
-/// Builds the tree over `items`, which must not be empty, and reorders them so that every leaf is a
-/// range. No path is longer than SAH_MAX_DEPTH nodes.
+/// Builds the tree over `items`, which must not be empty, and reorders them into depth-first order.
+/// No path has more than split_depth + 32 nodes.
 std::unique_ptr<SahNode> build_sah(std::vector<SahItem>& items, const SahOptions& options);
 
-/// Below SAH_SPLIT_DEPTH the heuristic decides; deeper, halving by count bounds the rest by log2 of
-/// the count.
-inline constexpr std::uint32_t SAH_SPLIT_DEPTH = 32;
-inline constexpr std::uint32_t SAH_MAX_DEPTH = SAH_SPLIT_DEPTH + 31;
+/// Decides for every node which of its descendants become its up to four children in a tree of
+/// four-wide nodes, so that the expected number of visited nodes is least.
+void plan_wide_nodes(SahNode& root);
+
+/// The children of an inner node as planned: 2 to 4 of its descendants.
+std::vector<const SahNode*> wide_children(const SahNode& node);
 
 } // namespace vigil

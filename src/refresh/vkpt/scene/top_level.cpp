@@ -27,7 +27,7 @@ void write_subtree(const SahNode& tree, std::span<const SahItem> items,
     nodes[index].instance = shader::NONE;
     write_bounds(tree.bounds, nodes[index]);
     if (tree.leaf()) {
-        const TopLevelInstance& source = instances[items[tree.first].index];
+        const TopLevelInstance& source = instances[items[tree.item].index];
         nodes[index].instance = source.instance;
         nodes[index].object_from_world = source.object_from_world;
         nodes[index].root = source.bvh_root;
@@ -70,7 +70,7 @@ std::vector<shader::TopNode> build_top_level(std::span<const TopLevelInstance> i
         nodes[0].skip = shader::TOP_END;
         return nodes;
     }
-    const auto root = build_sah(items, SahOptions{.max_leaf = 1, .threads = false});
+    const auto root = build_sah(items, SahOptions{.threads = false});
     nodes.reserve(2 * items.size());
     write_subtree(*root, items, instances, nodes);
     for (shader::TopNode& node : nodes) {
