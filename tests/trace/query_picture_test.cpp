@@ -7,6 +7,8 @@
 #include "render_test.h"
 
 #include "common/log.h"
+#include "common/scratch_folder.h"
+#include "formats/small_models.h"
 
 #include <algorithm>
 
@@ -79,6 +81,41 @@ TEST_F(QueryPicture, EqualToTheComputeBackend) {
                                {8, {200, 60, 100}, 12.0f, {5, 20, 40}}};
         expect_equal_pictures(shot);
     }
+}
+
+TEST_F(QueryPicture, FollowsTheFramesOfAModel) {
+    if (!offered()) GTEST_SKIP() << "this device has no VK_KHR_ray_query";
+    const ScratchFolder folder;
+    folder.write("models/box/tris.md2", small_md2());
+    files().mount_folder(folder.path());
+    set("pt_trace", "query");
+    set("pt_nee", "uniform");
+    load("rooms");
+    // A square of 10 units that lies in the air below the eye, and rises.
+    Shot shot = view_at({60, 60, 64}, 80, 45);
+    refresh::Entity box;
+    box.number = 1;
+    box.model = renderer().register_model("models/box/tris.md2");
+    box.origin = {60, 60, 40};
+    shot.entities = {box};
+    expect_equal_pictures(shot);
+    const auto visible = [] {
+        const glm::uvec2 size = renderer().path_tracer().size();
+        const auto hits = gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().path_tracer().primary_hits(), 0, size.x * size.y);
+        return std::count_if(hits.begin(), hits.end(),
+                             [](const shader::PrimaryHit& hit) { return hit.instance == 1; });
+    };
+    const auto low = visible();
+    EXPECT_GT(low, 20);
+    shot.entities[0].frame = 1;
+    expect_equal_pictures(shot);
+    EXPECT_GT(visible(), low); // nearer
+    shot.entities[0].frame = 0;
+    shot.entities[0].old_frame = 1;
+    shot.entities[0].backlerp = 0.5f;
+    expect_equal_pictures(shot);
+    EXPECT_GT(visible(), low);
 }
 
 TEST_F(QueryPicture, BackendsSwitchWhileRunning) {
