@@ -272,25 +272,6 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
     return renewed;
 }
 
-bool Scene::prepare_ray_query(bool on) {
-    if (!on) {
-        if (ray_query_) device_.wait_idle();
-        ray_query_.reset();
-        return false;
-    }
-    if (!ray_query_) ray_query_.emplace(device_);
-    std::vector<QueryModel> models;
-    models.reserve(placed_.size());
-    for (const Placed& placed : placed_) {
-        models.push_back(
-            {std::span(corners_).subspan(3 * size_t{placed.first_triangle},
-                                         3 * size_t{placed.triangle_count}),
-             std::span(triangles_).subspan(placed.first_triangle, placed.triangle_count),
-             placed.first_triangle, placed.revision, placed.deforms});
-    }
-    return ray_query_->prepare(models, instance_placed_, instances_);
-}
-
 bool Scene::upload_static() {
     device_.wait_idle();
     replace(device_, nodes_buffer_, nodes_, "bottom-level nodes");
