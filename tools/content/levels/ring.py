@@ -60,7 +60,7 @@ def build():
     camera = Route(12)
     for angle in np.linspace(-150, 30, 13):
         a = np.radians(angle)
-        camera.key((70 * np.cos(a), 70 * np.sin(a), 236), (-22 * np.cos(a), -22 * np.sin(a), 0))
+        camera.key((56 * np.cos(a), 56 * np.sin(a), 196), (8 * np.cos(a), 8 * np.sin(a), 0))
     level.start(camera.keys[0][0], 30)
     return level, camera
 
