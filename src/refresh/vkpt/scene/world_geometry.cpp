@@ -10,6 +10,12 @@ namespace {
 
 constexpr uint32_t hidden_flags = SURF_NODRAW | SURF_HINT | SURF_SKIP;
 
+// What can be seen from both sides has a face for either, in the same place, and rounding would
+// choose which one a ray finds: lava would have black speckles. Each goes this far out along its
+// normal (map units): more than the rounding of distances in the largest level, too little to see.
+constexpr uint32_t two_sided_flags = SURF_WARP | SURF_FLOWING | SURF_TRANS33 | SURF_TRANS66;
+constexpr float two_sided_gap = 1.0f / 32.0f;
+
 /// Per face: the one cluster whose leafs it bounds, or NONE if there are several (or none).
 std::vector<uint32_t> face_clusters(const Bsp& bsp) {
     constexpr uint32_t unseen = shader::NONE - 1;
@@ -52,7 +58,7 @@ ModelGeometry brush_model_geometry(const Level& level, uint32_t model_index,
         const BspTexInfo& info = bsp.texinfos[face.texinfo];
         if (info.flags & hidden_flags) continue;
         const MaterialSet::WorldMaterial& material = materials.world_material(bsp, face.texinfo);
-        const std::vector<glm::vec3> corners = face_polygon(bsp, face);
+        std::vector<glm::vec3> corners = face_polygon(bsp, face);
         std::vector<glm::vec2> uvs;
         for (const glm::vec3& corner : corners)
             uvs.push_back(texel_coordinates(info, corner) / glm::vec2(material.uv_size));
@@ -60,6 +66,12 @@ ModelGeometry brush_model_geometry(const Level& level, uint32_t model_index,
         const glm::vec2 repeats = glm::floor(uvs.front());
         for (glm::vec2& uv : uvs)
             uv -= repeats;
+
+        if (info.flags & two_sided_flags) {
+            const glm::vec3 outwards = two_sided_gap * face_normal(bsp, face);
+            for (glm::vec3& corner : corners)
+                corner += outwards;
+        }
 
         const bool emissive = material.radiance != glm::vec3(0.0f);
         for (size_t i = 2; i < corners.size(); ++i) { // faces are convex: a fan
