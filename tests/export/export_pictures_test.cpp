@@ -55,15 +55,15 @@ TEST(SkyPanorama, EveryPixelShowsItsDirection) {
     ASSERT_EQ(LoadEXR(&raw, &width, &height, (folder / "sky.exr").c_str(), &reason),
               TINYEXR_SUCCESS);
     const std::unique_ptr<float, decltype(&std::free)> pixels(raw, std::free);
-    ASSERT_EQ(width, 512);
-    ASSERT_EQ(height, 256);
+    ASSERT_EQ(width, 2048);
+    ASSERT_EQ(height, 1024);
     float worst = 0.0f;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const float* pixel = raw + 4 * (y * width + x);
             const glm::vec3 seen = glm::vec3(pixel[0], pixel[1], pixel[2]) / sky.radiance;
-            const glm::vec3 wanted = panorama_direction((static_cast<float>(x) + 0.5f) / 512.0f,
-                                                        (static_cast<float>(y) + 0.5f) / 256.0f);
+            const glm::vec3 wanted = panorama_direction((static_cast<float>(x) + 0.5f) / 2048.0f,
+                                                        (static_cast<float>(y) + 0.5f) / 1024.0f);
             worst = std::max(worst, glm::distance(2.0f * seen - 1.0f, wanted));
         }
     }

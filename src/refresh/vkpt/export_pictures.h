@@ -21,8 +21,8 @@ glm::vec3 sky_box_radiance(const std::array<ExportTexture, 6>& sides, glm::vec3 
 /// +x (yaw 0), u grows clockwise seen from above, v = 0 is up.
 glm::vec3 panorama_direction(float u, float v);
 
-/// Writes the sky, its factor included, as a panorama with at least the resolution of the sides (up
-/// to 4096 pixels around). Throws Error with the library's reason.
+/// Writes the sky, its factor included, as a panorama of twice the sides' resolution, but at least
+/// 2048 and at most 4096 pixels around. Throws Error with the library's reason.
 void write_sky_panorama(const ExportSky& sky, const std::filesystem::path& path);
 
 } // namespace vigil::vkpt
