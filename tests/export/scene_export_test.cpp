@@ -247,6 +247,25 @@ TEST(SceneExport, SunShinesFromItsDirection) {
     EXPECT_FLOAT_EQ(json["scenes"][0]["extras"]["vigil_sky"]["radiance"][2], 0.3f);
 }
 
+TEST(SceneExport, SkyFacesArePlacedByNoNode) {
+    const ExportFolder folder;
+    ExportScene scene = small_scene();
+    scene.sky->faces = {{0, 0, 8}, {0, 4, 8}, {4, 0, 8}};
+    write_gltf(scene, folder / "room.gltf");
+    const Json json = read_json(folder / "room.gltf");
+    const size_t faces = json["scenes"][0]["extras"]["vigil_sky"]["faces"];
+    EXPECT_EQ(json["meshes"][faces]["name"], "sky faces");
+    for (const Json& node : json["nodes"])
+        EXPECT_TRUE(!node.contains("mesh") || node["mesh"] != faces);
+    const tinygltf::Model model = read_model(folder / "room.gltf");
+    const tinygltf::Primitive& primitive = model.meshes[faces].primitives.at(0);
+    EXPECT_EQ(primitive.material, -1);
+    const tinygltf::Accessor& corners = model.accessors[primitive.attributes.at("POSITION")];
+    EXPECT_EQ(corners.count, 3u);
+    EXPECT_EQ(corners.minValues, (std::vector<double>{0, 0, 8}));
+    EXPECT_EQ(corners.maxValues, (std::vector<double>{4, 4, 8}));
+}
+
 TEST(SceneExport, EmptySceneIsValid) {
     const ExportFolder folder;
     write_gltf({}, folder / "empty.gltf");

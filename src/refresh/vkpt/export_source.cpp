@@ -13,6 +13,25 @@ namespace vigil::vkpt {
 
 namespace {
 
+/// Corners of all triangles that show the sky, where they are now.
+std::vector<glm::vec3> sky_faces(const Scene& scene) {
+    std::vector<glm::vec3> corners;
+    for (size_t i = 0; i < scene.host_instances().size(); ++i) {
+        const glm::mat4x3& place = scene.host_instances()[i].world_from_object;
+        const Scene::TriangleRange range = scene.instance_triangles(i);
+        for (uint32_t t = range.first; t < range.first + range.count; ++t) {
+            const uint32_t material = scene.host_primitives()[t].material;
+            if (!(scene.host_materials().materials()[material].flags & shader::MATERIAL_SKY))
+                continue;
+            const shader::BvhTriangle& triangle = scene.host_triangles()[t];
+            for (const glm::vec3& corner :
+                 {triangle.v0, triangle.v0 + triangle.e1, triangle.v0 + triangle.e2})
+                corners.push_back(place * glm::vec4(corner, 1.0f));
+        }
+    }
+    return corners;
+}
+
 /// Level 0 of a texture, decoded.
 ExportTexture texture_of(const TextureSet& textures, uint32_t header_index, std::string name) {
     const shader::Texture& header = textures.headers()[header_index];
@@ -56,8 +75,7 @@ private:
             const shader::Primitive& primitive = scene_.host_primitives()[t];
             const shader::Material& material =
                 scene_.host_materials().materials()[primitive.material];
-            if (material.flags & shader::MATERIAL_SKY)
-                continue; // whoever leaves the level sees the sky
+            if (material.flags & shader::MATERIAL_SKY) continue; // see sky_faces
             const uint32_t coverage = triangle.flags & shader::TRIANGLE_COVERAGE_MASK;
             glm::vec3 radiance(0.0f);
             if (primitive.light != shader::NONE)
@@ -118,6 +136,7 @@ ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& param
     if (scene.features().sky) {
         out.sky.emplace();
         out.sky->radiance = params.sky_radiance;
+        out.sky->faces = sky_faces(scene);
         if (sky.texture) {
             out.sky->sides.emplace();
             for (uint32_t side = 0; side < sky_sides.size(); ++side)

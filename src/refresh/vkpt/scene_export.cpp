@@ -323,12 +323,25 @@ private:
 
     Json sky_json(const ExportSky& sky) {
         if (!is_finite(sky.radiance)) fail("the sky cannot be exported: a value is not finite");
-        if (!sky.sides) return {{"radiance", array_of(sky.radiance)}};
-        for (const ExportTexture& side : *sky.sides)
-            check_texture(side);
-        const std::string file = textures_folder() + "sky.exr";
-        write_sky_panorama(sky, files_.add(file));
-        return {{"panorama", uri_of(file)}};
+        Json json;
+        if (sky.sides) {
+            for (const ExportTexture& side : *sky.sides)
+                check_texture(side);
+            const std::string file = textures_folder() + "sky.exr";
+            write_sky_panorama(sky, files_.add(file));
+            json["panorama"] = uri_of(file);
+        } else {
+            json["radiance"] = array_of(sky.radiance);
+        }
+        if (!sky.faces.empty()) {
+            // No node places this mesh: to readers that do not ask for it there is nothing.
+            Json primitive = add_primitive({0, sky.faces, {}, {}}, "sky faces", geometry_, root_);
+            primitive.erase("material");
+            json["faces"] = append(
+                root_, "meshes",
+                {{"name", "sky faces"}, {"primitives", Json::array({std::move(primitive)})}});
+        }
+        return json;
     }
 
     void write_geometry() {

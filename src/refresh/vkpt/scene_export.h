@@ -63,6 +63,8 @@ struct ExportSun {
 struct ExportSky {
     glm::vec3 radiance{0.0f}; // factor on the sides, or the radiance itself
     std::optional<std::array<ExportTexture, 6>> sides; // in the order of formats/sky.h
+    // Triangles, three corners each, world space: where rays meet the sky, whatever lies behind.
+    std::vector<glm::vec3> faces = {};
 };
 
 struct ExportCamera {
@@ -74,8 +76,7 @@ struct ExportCamera {
     float aspect = 1.0f;       // width / height
 };
 
-/// Faces that show the sky are left out by whoever fills this: rays that leave the level see the
-/// sky.
+/// Faces that show the sky are in no mesh: rays that leave the level see the sky.
 struct ExportScene {
     std::string name; // the level's
     std::vector<ExportTexture> textures;
