@@ -150,4 +150,11 @@ def local_matrix(node):
 
 
 def read_gltf(path):
-    return Reader(path).read()
+    """The scene with the camera at the origin: numbers near 0 keep their digits."""
+    scene = Reader(path).read()
+    eye = scene.camera[:3, 3].copy()
+    for surface in scene.surfaces:
+        surface.corners = surface.corners - eye
+    scene.sky_faces = scene.sky_faces - eye
+    scene.camera[:3, 3] = 0
+    return scene

@@ -10,8 +10,8 @@ import numpy as np
 
 # Most translucent layers that one ray may cross.
 LAYERS = 16
-# Two hits this near (relative to the distance) are the same.
-SAME_PLACE = 2e-4
+# How far in front of a lamp something must be to shadow it: relative to the distance, and in map units.
+SHADOW_GAP = (1e-4, 2e-3)
 
 
 # Share of light samples that go to the sky where there are lamps too, and of those to lamps that are drawn by power alone.
@@ -48,11 +48,12 @@ class Tracer:
 
     def collect_lamps(self, exported, number_of, size):
         """All emissive triangles in one list; `first_lamp` leads there from a shape's number."""
-        first, corners, radiances = np.zeros(size, np.uint32), [], []
+        first, corners, radiances, coverages = np.zeros(size, np.uint32), [], [], []
         for index, surface in enumerate(exported.surfaces):
             if surface.material.radiance.any():
                 first[number_of[f"surface{index}"]] = sum(map(len, corners))
                 corners.append(surface.corners)
+                coverages.append(np.full(len(surface.corners), surface.material.coverage))
                 radiances.append(np.broadcast_to(surface.material.radiance, (len(surface.corners), 3)))
         self.first_lamp, self.lamp_count = mi.UInt32(first), sum(map(len, corners))
         self.sky_share = 0.0 if self.sky is None else SKY_SHARE if self.lamp_count else 1.0
@@ -67,6 +68,7 @@ class Tracer:
         self.lamp_edges = [mi.Vector3f(edges[:, i].T) for i in range(2)]
         self.lamp_normal = mi.Vector3f((normals / np.maximum(double_area, 1e-30)[:, None]).T)
         self.lamp_area = mi.Float(double_area / 2)
+        self.lamp_coverage = mi.Float(np.concatenate(coverages))
         self.lamp_radiance = mi.Color3f(np.concatenate(radiances).T)
         power = double_area * np.concatenate(radiances).mean(1)
         self.power = power / power.sum()
@@ -147,7 +149,7 @@ class Tracer:
         return dr.select(active & (brdf_pdf > 0), value * brdf_pdf / (brdf_pdf + pdf), 0)
 
     def lit_by_lights(self, si, brdf, sampler, throughput, active):
-        """Next event estimation; a light's own coverage counts as part of the way to it."""
+        """Next event estimation: the sky or a lamp, one point, one ray."""
         if not self.lamp_count and self.sky is None:
             return mi.Color3f(0)
         choice, place = sampler.next_2d(), sampler.next_2d()
@@ -164,15 +166,19 @@ class Tracer:
             point = dr.gather(mi.Vector3f, self.lamp_corner, lamp, near)
             for weight, edge in zip((bary.x, bary.y), self.lamp_edges):
                 point += weight * dr.gather(mi.Vector3f, edge, lamp, near)
-            offset = point - si.p
-            far = dr.norm(offset)
-            direction = dr.select(endless, direction, offset / far)
-            pdf = dr.select(endless, pdf, self.lamp_pdf(lamp, offset, near))
+            direction = dr.select(endless, direction, dr.normalize(point - si.p))
+            pdf = dr.select(endless, pdf, self.lamp_pdf(lamp, point - si.p, near))
             radiance = dr.select(endless, radiance, dr.gather(mi.Color3f, self.lamp_radiance, lamp, near))
         value, brdf_pdf = brdf.evaluate(si.to_local(direction), active & (pdf > 0))
         active = active & (pdf > 0) & (dr.max(value) > 0)
-        _, distance, sky = self.stop(si.spawn_ray(direction), sampler, active)
-        seen = dr.select(endless, sky, ~sky & (dr.abs(distance - far) < SAME_PLACE * far))
+        ray = si.spawn_ray(direction)
+        if self.lamp_count:  # the ray starts a little off the surface: aim anew
+            far = dr.norm(point - ray.o)
+            ray.d = dr.select(endless, ray.d, (point - ray.o) / far)
+        _, distance, sky = self.stop(ray, sampler, active)
+        seen = dr.select(endless, sky, distance > far * (1 - SHADOW_GAP[0]) - SHADOW_GAP[1])
+        if self.translucent and self.lamp_count:
+            seen &= endless | (sampler.next_1d() < dr.gather(mi.Float, self.lamp_coverage, lamp, active & ~endless))
         result = throughput * dr.select(active & seen, value * radiance / (pdf + brdf_pdf), 0)
         if self.found is not None:
             dr.scatter_add(self.found, dr.mean(result), lamp, active & ~endless)
