@@ -68,7 +68,7 @@ uint32_t LightSet::place(uint64_t key, std::span<const LightSource> sources,
     if (count == 0) return 0;
     auto known = slots_.find(key);
     if (known != slots_.end() && known->second.count != count) { // the entity changed its model
-        free_.push_back(known->second);
+        release(known->second);
         slots_.erase(known);
         known = slots_.end();
     }
@@ -93,17 +93,21 @@ uint32_t LightSet::place(uint64_t key, std::span<const LightSource> sources,
     return known->second.first;
 }
 
+void LightSet::release(const Slot& slot) {
+    for (uint32_t i = 0; i < slot.count; ++i)
+        lights_[slot.first + i].radiance = glm::vec3(0.0f);
+    ++revision_;
+    ++moving_revision_;
+    free_.push_back(slot);
+}
+
 void LightSet::end_frame() {
     for (auto slot = slots_.begin(); slot != slots_.end();) {
         if (slot->second.placed) {
             ++slot;
             continue;
         }
-        for (uint32_t i = 0; i < slot->second.count; ++i)
-            lights_[slot->second.first + i].radiance = glm::vec3(0.0f);
-        ++revision_;
-        ++moving_revision_;
-        free_.push_back(slot->second);
+        release(slot->second);
         slot = slots_.erase(slot);
     }
 }

@@ -53,6 +53,8 @@ private:
     };
     void write(uint32_t id, const LightSource& source, const glm::mat4x3& world_from_object,
                glm::vec3 tint);
+    /// Darkens a slot that nothing owns any more and keeps it for the next light.
+    void release(const Slot& slot);
 
     std::vector<LightSource> world_;
     std::vector<shader::Light> lights_;
