@@ -136,6 +136,7 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     relevant.cvars.pt_tonemap = relevant.cvars.pt_view = 0;
     const uint64_t settings[] = {scene_->revision(), static_cast<uint64_t>(technique_id_),
                                  static_cast<uint64_t>(cvars()->pt_jitter),
+                                 static_cast<uint64_t>(cvars()->pt_accumulate),
                                  static_cast<uint64_t>(cvars()->pt_spp),
                                  static_cast<uint64_t>(use_ray_query())};
     std::vector<std::byte> key(sizeof(relevant) + sizeof(settings));
