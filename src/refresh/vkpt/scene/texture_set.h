@@ -21,7 +21,7 @@ class FileSystem;
 namespace vigil::vkpt {
 
 /// Linear RGB to RGB9E5 (shared exponent): components are clamped to [0, 65408], NaN becomes 0; the
-/// error is at most 1/1022 of the largest component.
+/// error is at most 1/512 of the largest component.
 uint32_t encode_rgb9e5(glm::vec3 color);
 glm::vec3 decode_rgb9e5(uint32_t texel);
 
