@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Scenes whose picture is known in closed form: a closed white furnace, a square lamp over a floor,
+// an even sky and a sun over a court. Radiances follow from the units of docs/units.md: VALUE * 0.1
+// * mean texel for faces, _sun_light * 0.1 for the sun's irradiance.
+#include "render_test.h"
+
+#include "refresh/vkpt/gpu/commands.h"
+#include "refresh/vkpt/scene/texture_set.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace vigil::test {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int batch_count = 24;
+
+/// Share of the light of a parallel rectangle [x0, x1] x [y0, y1] at `height` above that reaches a
+/// floor point at the origin, cosine-weighted: its form factor (Howell's catalogue, B-4, summed
+/// over the four corners).
+double form_factor(double x0, double x1, double y0, double y1, double height) {
+    const auto corner = [height](double x, double y) {
+        const double a = x / height, b = y / height, p = std::sqrt(1.0 + a * a),
+                     q = std::sqrt(1.0 + b * b);
+        return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2.0 * pi);
+    };
+    return corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0);
+}
+
+class Analytic : public RenderTest {
+protected:
+    /// The linear colour of a flat texture, as the renderer stores it.
+    static glm::dvec3 texel(std::string_view name) {
+        vkpt::TextureSet textures(files());
+        return textures.texture(name).mean;
+    }
+
+    /// Primary hits of the last frame; all of them must lie on the floor, z = 0.
+    static std::vector<glm::dvec2> floor_points() {
+        const glm::uvec2 size = renderer().path_tracer().size();
+        std::vector<glm::dvec2> points;
+        for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
+                 renderer().device(), renderer().path_tracer().primary_hits(), 0,
+                 uint64_t{size.x} * size.y)) {
+            EXPECT_NE(hit.primitive, shader::NONE);
+            EXPECT_NEAR(hit.position.z, 0.0f, 1e-2f);
+            points.push_back({hit.position.x, hit.position.y});
+        }
+        return points;
+    }
+
+    /// Averages a value of floor points over blocks, three channels each.
+    template <typename Value>
+    static std::vector<double> expect_on_floor(const std::vector<glm::dvec2>& points, int block,
+                                               Value value) {
+        PictureBatches exact(cvars()->vid_width, cvars()->vid_height, block);
+        std::vector<float> rgb;
+        for (const glm::dvec2& point : points) {
+            const glm::dvec3 color = value(point);
+            for (glm::length_t c = 0; c < 3; ++c)
+                rgb.push_back(static_cast<float>(color[c]));
+        }
+        exact.add(rgb);
+        std::vector<double> expected;
+        for (size_t i = 0; i < 3 * exact.blocks(); ++i)
+            expected.push_back(exact.value(0, i % 3, i / 3));
+        return expected;
+    }
+
+    static void judge(std::string_view label, const PictureBatches& seen,
+                      const std::vector<double>& expected, double detectable) {
+        for (size_t channel = 0; channel < 3; ++channel) {
+            const Comparison result = compare(seen, expected, channel);
+            std::cout << fmt::format("{} {}: {}\n", label, "RGB"[channel], result.text());
+            EXPECT_TRUE(result.agrees(score_limit)) << label << " " << result.text();
+            EXPECT_LT(score_limit * result.bias_error, detectable) << label;
+        }
+    }
+};
+
+TEST_F(Analytic, WhiteFurnaceByBruteForceIsExact) {
+    // Every path meets the same radiance everywhere, so one path is enough; a ray that slips out
+    // between two triangles, or any energy lost or gained in a bounce, shows in its pixel.
+    load("furnace");
+    const glm::dvec3 rho = texel("test/white"), emitted = 10.0 * rho;
+    set("pt_nee", "brute");
+    for (const int bounces : {0, 1}) {
+        set("pt_bounces", std::to_string(bounces));
+        set("pt_spp", "16");
+        for (const glm::vec3 angles :
+             {glm::vec3(0, 0, 0), glm::vec3(-70, 40, 0), glm::vec3(40, 200, 15)}) {
+            Shot shot;
+            shot.view = {{-60, 30, 100}, angles, 100};
+            const std::vector<float> seen = radiance(shot).rgb;
+            for (size_t i = 0; i < seen.size(); ++i) {
+                const double r = rho[static_cast<glm::length_t>(i % 3)],
+                             e = emitted[static_cast<glm::length_t>(i % 3)];
+                const double expected = e * (1.0 + r + (bounces == 1 ? r * r : 0.0));
+                ASSERT_NEAR(static_cast<double>(seen[i]) / expected, 1.0, 1e-5)
+                    << "value " << i << " bounces " << bounces;
+            }
+        }
+    }
+}
+
+TEST_F(Analytic, WhiteFurnaceByTechniques) {
+    // Light sampling in a furnace has no variance in the indirect hit: points close to an edge see
+    // the wall beside them with 1 / distance^2 and scores would mean nothing. So one bounce, in the
+    // middle of a wall.
+    load("furnace");
+    const glm::dvec3 rho = texel("test/white");
+    set("pt_bounces", "0");
+    Shot shot;
+    shot.view = {{0, 0, 128}, {0, 0, 0}, 50};
+    for (const TechniqueInfo& info : technique_infos) {
+        if (info.name == "brute") continue;
+        set("pt_nee", info.name);
+        const PictureBatches seen = batches(shot, batch_count, 16, 100, 2);
+        std::vector<double> expected;
+        for (size_t i = 0; i < 3 * seen.blocks(); ++i) {
+            const double r = rho[static_cast<glm::length_t>(i % 3)];
+            expected.push_back(10.0 * r * (1.0 + r));
+        }
+        judge(info.name, seen, expected, 0.01);
+    }
+}
+
+TEST_F(Analytic, SquareLampOverAFloor) {
+    load("lamp");
+    const glm::dvec3 radiance_of_lamp = 10.0 * texel("test/lamp"), rho = texel("test/white50");
+    set("pt_bounces", "0"); // the walls are black anyway
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    for (const TechniqueInfo& info : technique_infos) {
+        const bool brute = info.name == "brute";
+        const int block = brute ? 4 : 1; // brute force finds the lamp too rarely for single pixels
+        set("pt_nee", info.name);
+        const PictureBatches seen = batches(shot, batch_count, brute ? 256 : 32, 300, block);
+        const std::vector<double> expected =
+            expect_on_floor(floor_points(), block, [&](glm::dvec2 p) {
+                return rho * radiance_of_lamp *
+                       form_factor(-32 - p.x, 32 - p.x, -32 - p.y, 32 - p.y, 128);
+            });
+        judge(info.name, seen, expected, brute ? 0.02 : 0.003);
+    }
+}
+
+/// The court without what stands in it; where that stood the floor has holes.
+void clear_court(Level& level) {
+    for (const std::string_view texture : {"test/grey20", "test/red"})
+        for (BspTexInfo* info : texinfos_of(level, texture))
+            info->flags |= SURF_NODRAW;
+}
+
+TEST_F(Analytic, EvenSkyOverACourt) {
+    load("opensky", [](Level& level) {
+        clear_court(level);
+        level.bsp.entities[0].set("sky", "");
+        level.bsp.entities[0].set("_sky_color", "0.5 0.75 1");
+        level.bsp.entities[0].set("_sun_light", "0");
+    });
+    const glm::dvec3 rho = texel("test/white50"), sky(0.5, 0.75, 1.0);
+    set("pt_bounces", "0");
+    Shot shot;
+    shot.view = {{-80, -60, 100}, {60, 160, 0}, 60};
+    const PictureBatches seen = batches(shot, batch_count, 32, 500, 2);
+    EXPECT_FALSE(renderer().scene()->features().sun);
+    const std::vector<double> expected = expect_on_floor(floor_points(), 2, [&](glm::dvec2 p) {
+        return rho * sky * form_factor(-256 - p.x, 256 - p.x, -256 - p.y, 256 - p.y, 192);
+    });
+    judge("sky", seen, expected, 0.01);
+}
+
+TEST_F(Analytic, SunOverACourt) {
+    load("opensky", [](Level& level) {
+        clear_court(level);
+        level.bsp.entities[0].set("sky", "");
+        level.bsp.entities[0].set("_sky_color", "0 0 0");
+    });
+    // _sun_light 200, _sun_color 1 0.9 0.75, 55 degrees above the horizon: every point of the floor
+    // that the camera sees sees the whole disc through the open roof.
+    const glm::dvec3 rho = texel("test/white50");
+    const glm::dvec3 expected_color =
+        rho * 20.0 * glm::dvec3(1.0, 0.9, 0.75) * std::sin(55.0 * pi / 180.0) / pi;
+    set("pt_bounces", "0");
+    Shot shot;
+    shot.view = {{80, 80, 80}, {60, 40, 0}, 70};
+    for (const char* size : {"20", "8"}) { // the disc's size does not change what it sends
+        set("pt_sun_size", size);
+        const PictureBatches seen = batches(shot, batch_count, 192, 700, 8);
+        const std::vector<double> expected =
+            expect_on_floor(floor_points(), 8, [&](glm::dvec2) { return expected_color; });
+        judge(fmt::format("sun {}", size), seen, expected, 0.03);
+    }
+}
+
+} // namespace
+} // namespace vigil::test

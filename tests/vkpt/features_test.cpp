@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Levels pay only for what they have, and lose nothing by it: code for a feature that a level lacks
+// changes no pixel. Also what a player does while the program runs: other sizes, other techniques,
+// lights that come and go, levels without any light.
+#include "common/error.h"
+#include "render_test.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace vigil::test {
+namespace {
+
+class Features : public RenderTest {
+protected:
+    /// Whether `scene` says that something is on.
+    static bool says_on(const std::string& what) {
+        const std::string text = renderer().describe_scene();
+        const size_t at = text.find("\n  " + what);
+        EXPECT_NE(at, std::string::npos) << what << " is missing in:\n" << text;
+        const size_t word = text.find_first_not_of(' ', at + 3 + what.size());
+        return text.compare(word, 3, "on ") == 0;
+    }
+
+    static void expect_text(const vkpt::SceneFeatures& features) {
+        EXPECT_EQ(says_on("lights"), features.lights);
+        EXPECT_EQ(says_on("sky"), features.sky);
+        EXPECT_EQ(says_on("sun"), features.sun);
+        EXPECT_EQ(says_on("translucency"), features.translucent);
+        EXPECT_EQ(says_on("gloss"), features.gloss);
+        EXPECT_EQ(says_on("liquids"), features.liquid);
+        EXPECT_EQ(says_on("animation"), features.animation);
+        EXPECT_EQ(says_on("instances"), features.instances);
+    }
+};
+
+TEST_F(Features, AreOnWhereTheLevelHasThem) {
+    struct Row {
+        const char* level;
+        Shot shot;
+        vkpt::SceneFeatures features;
+    };
+    vkpt::SceneFeatures lights, windows, sky;
+    lights.lights = true;
+    windows.lights = windows.translucent = true;
+    sky.sky = sky.sun = true;
+    const Row rows[] = {
+        {"lamp", {{{-192, 0, 64}, {20, 0, 0}, 90}, {}, {}, 0}, lights},
+        {"rooms", {{{420, 40, 90}, {0, 50, 0}, 90}, {}, {}, 0}, windows},
+        {"opensky", {{{-192, -64, 56}, {0, 20, 0}, 90}, {}, {}, 0}, sky},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.level);
+        load(row.level);
+        radiance(row.shot);
+        EXPECT_EQ(renderer().scene()->features(), row.features);
+        expect_text(row.features);
+        // Compiled with everything, the same level gives the same picture but for rounding, which
+        // may turn a few paths at edges. Lights stay as they are: they draw random numbers.
+        vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true};
+        everything.lights = row.features.lights;
+        const std::vector<float> lean = trace(params(row.shot), row.features, 8);
+        const std::vector<float> full = trace(params(row.shot), everything, 8);
+        size_t differing = 0;
+        double brightness = 0.0;
+        for (size_t i = 0; i < lean.size(); ++i) {
+            differing += std::abs(lean[i] - full[i]) > 1e-4f * std::abs(lean[i]) + 1e-6f ? 1 : 0;
+            brightness += static_cast<double>(lean[i]);
+        }
+        std::cout << fmt::format("{}: {} of {} values differ\n", row.level, differing, lean.size());
+        EXPECT_LT(differing, lean.size() / 200);
+        EXPECT_GT(brightness, 0.0);
+    }
+}
+
+TEST_F(Features, SwitchOnWithWhatAppears) {
+    load("rooms");
+    Shot shot;
+    shot.view = {{40, 40, 60}, {0, 35, 0}, 90};
+    radiance(shot);
+    EXPECT_FALSE(renderer().scene()->features().instances);
+    shot.dynamic_lights = {{1, {120, 120, 60}, 6.0f, {5, 5, 5}}};
+    radiance(shot);
+    EXPECT_TRUE(renderer().scene()->features().instances);
+    expect_text(renderer().scene()->features());
+    shot.dynamic_lights.clear();
+    radiance(shot);
+    EXPECT_FALSE(renderer().scene()->features().instances);
+}
+
+/// A level where no face emits.
+void put_out(Level& level) {
+    for (BspTexInfo& info : level.bsp.texinfos)
+        info.value = 0;
+}
+
+TEST_F(Features, WithoutLightEverythingIsBlack) {
+    load("lamp", put_out);
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
+    for (const TechniqueInfo& info : technique_infos) {
+        set("pt_nee", info.name);
+        for (const float value : radiance(shot).rgb)
+            ASSERT_EQ(value, 0.0f) << info.name;
+        for (const uint8_t byte : renderer().read_picture(true).rgba)
+            ASSERT_TRUE(byte == 0 || byte == 255);
+        EXPECT_FALSE(renderer().scene()->features().lights);
+        EXPECT_FALSE(says_on("lights"));
+    }
+    // The first light of all is a dynamic one.
+    shot.dynamic_lights = {{1, {0, 0, 60}, 6.0f, {50, 50, 50}}};
+    for (const TechniqueInfo& info : technique_infos) {
+        set("pt_nee", info.name);
+        set("pt_spp", "64");
+        double sum = 0.0;
+        for (const float value : radiance(shot).rgb)
+            sum += static_cast<double>(value);
+        EXPECT_GT(sum, 0.0) << info.name;
+        EXPECT_TRUE(says_on("lights"));
+    }
+}
+
+TEST_F(Features, OnePixel) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    radiance(shot);
+    vkpt::PathTracer& tracer = renderer().path_tracer();
+    renderer().device().wait_idle();
+    tracer.resize({1, 1});
+    tracer.bind(*renderer().scene(), *renderer().technique());
+    const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 16);
+    ASSERT_EQ(pixel.size(), 3u);
+    EXPECT_GT(pixel[0], 0.0f);
+    EXPECT_EQ(radiance(shot).rgb.size(), size_t{3} * 48 * 32); // and back
+}
+
+TEST_F(Features, PicturesThatDoNotFitLeaveTheProgramUsable) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
+    radiance(shot);
+    set_size(16384, 16384);
+    try {
+        radiance(shot);
+        FAIL() << "15 GiB of primary hits fit into one buffer?";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string_view(error.what()).find("MiB"), std::string_view::npos)
+            << error.what();
+    }
+    set_size(48, 32);
+    EXPECT_EQ(radiance(shot).width, 48);
+}
+
+TEST_F(Features, SizesChangeBetweenFrames) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
+    for (const glm::ivec2 size : {glm::ivec2(16, 16), {97, 33}, {64, 64}, {17, 61}, {48, 32}}) {
+        set_size(size.x, size.y);
+        const refresh::RadiancePicture seen = radiance(shot);
+        EXPECT_EQ(glm::ivec2(seen.width, seen.height), size);
+        EXPECT_EQ(seen.rgb.size(), static_cast<size_t>(3 * size.x * size.y));
+        const refresh::Picture picture = renderer().read_picture(true);
+        EXPECT_EQ(glm::ivec2(picture.width, picture.height), size);
+        EXPECT_EQ(picture.rgba, renderer().read_picture(false).rgba)
+            << "without an overlay both are the same";
+    }
+}
+
+TEST_F(Features, AnotherTechniqueEveryFrame) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {40, 0, 0}, 80};
+    constexpr int frames = 16;
+    set("pt_spp", "16");
+    std::vector<PictureBatches> switching(std::size(technique_infos), PictureBatches(48, 32, 8));
+    for (int frame = 0; frame < frames; ++frame) {
+        for (size_t technique = 0; technique < switching.size(); ++technique) {
+            set("pt_nee", std::to_string(technique)); // by number
+            set("pt_seed", std::to_string(frame));
+            switching[technique].add(radiance(shot).rgb);
+        }
+    }
+    set("pt_nee", "uniform");
+    const PictureBatches steady = batches(shot, frames, 16, 200, 8);
+    for (size_t technique = 0; technique < switching.size(); ++technique) {
+        const Comparison seen = compare(switching[technique], steady, 1);
+        EXPECT_TRUE(seen.agrees(score_limit))
+            << technique_infos[technique].name << " " << seen.text();
+    }
+}
+
+TEST_F(Features, LightsComeAndGo) {
+    load("lamp", put_out);
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {40, 0, 0}, 80};
+    for (const std::string_view technique : {"sll", "uniform"}) {
+        set("pt_nee", technique);
+        for (const uint32_t count : {1u, 200u, 3u, 0u, 199u, 50u}) {
+            shot.dynamic_lights.clear();
+            for (uint32_t id = 0; id < count; ++id) {
+                const float angle = 0.3f * static_cast<float>(id);
+                shot.dynamic_lights.push_back(
+                    {1000 + id,
+                     {-100.0f + 60.0f * std::cos(angle), 60.0f * std::sin(angle), 40.0f},
+                     1.0f,
+                     {9, 9, 9}});
+            }
+            double sum = 0.0;
+            for (const float value : radiance(shot).rgb)
+                sum += static_cast<double>(value);
+            EXPECT_EQ(sum > 0.0, count > 0) << technique << " with " << count;
+        }
+        EXPECT_LE(renderer().scene()->lights().lights().size(),
+                  200u * vkpt::dynamic_light_triangles + 2);
+    }
+}
+
+TEST_F(Features, ABrokenLevelLeavesTheOneBefore) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
+    radiance(shot);
+    EXPECT_THROW(renderer().register_model("*7"), Error);
+    EXPECT_THROW(renderer().register_model("models/none.md2"), Error);
+    EXPECT_THROW(renderer().register_model("models/none.glb"), Error);
+    EXPECT_THROW(renderer().register_model("*"), Error);
+    EXPECT_GT(radiance(shot).rgb[0] + 1.0f, 0.0f);
+    EXPECT_NE(renderer().describe_scene().find("lamp"), std::string::npos);
+}
+
+} // namespace
+} // namespace vigil::test
