@@ -20,10 +20,10 @@ constexpr ImU32 error_color = IM_COL32(255, 110, 95, 255);
 constexpr ImU32 typed_color = IM_COL32(140, 200, 255, 255);
 constexpr ImU32 dim_color = IM_COL32(150, 150, 145, 255);
 constexpr ImU32 chosen_color = IM_COL32(230, 150, 50, 90);
-constexpr ImU32 shadow_color = IM_COL32(0, 0, 0, 220);
+constexpr ImU32 notice_ground = IM_COL32(12, 14, 18, 190);
 
 constexpr int most_suggestions = 12;
-constexpr size_t most_notices = 5;
+constexpr float notice_height = 0.6f; // of the screen, at most
 
 ImU32 color_of(const Console::Line& line) {
     switch (line.severity) {
@@ -58,11 +58,6 @@ public:
     void text(ImVec2 at, ImU32 color, std::string_view text, float wrap_width = 0.0f) const {
         if (text.empty()) return;
         list_.AddText(&font_, size_, at, color, text.data(), text.data() + text.size(), wrap_width);
-    }
-
-    void shadowed(ImVec2 at, ImU32 color, std::string_view string, float wrap_width) const {
-        text({at.x + 1.0f, at.y + 1.0f}, shadow_color, string, wrap_width);
-        text(at, color, string, wrap_width);
     }
 
     ImDrawList& list() const { return list_; }
@@ -193,14 +188,29 @@ bool has_notices(const Console& console, double time_s, double notify_s) {
 void draw_notices(const Console& console, ImFont& font, double time_s, double notify_s) {
     const Pen pen(font);
     const auto& lines = console.lines();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float pad = std::floor(pen.size() * 0.5f);
-    const float width = ImGui::GetIO().DisplaySize.x - 2.0f * pad;
+    const float width = screen.x - 2.0f * pad;
+    const auto height_of = [&](const Console::Line& line) {
+        return pen.line_height() + static_cast<float>(pen.rows(line.text, width) - 1) * pen.size();
+    };
+
+    // The newest lines that fit; a table that a key printed should not lose its head.
+    size_t first = lines.size();
+    float room = screen.y * notice_height;
+    while (first > 0 && time_s - lines[first - 1].time_s < notify_s) {
+        room -= height_of(lines[first - 1]);
+        if (room < 0.0f) break;
+        --first;
+    }
     float y = pad;
-    for (size_t i = lines.size() - std::min(most_notices, lines.size()); i < lines.size(); ++i) {
-        const Console::Line& line = lines[i];
-        if (time_s - line.time_s >= notify_s) continue;
-        pen.shadowed({pad, y}, color_of(line), line.text, width);
-        y += pen.line_height() + static_cast<float>(pen.rows(line.text, width) - 1) * pen.size();
+    for (size_t i = first; i < lines.size(); ++i) {
+        // Noise is hard to read on, so every line brings its own ground.
+        const float height = height_of(lines[i]);
+        const float ground = std::min(width, pen.measure(lines[i].text, width).x) + 2.0f * pad;
+        pen.list().AddRectFilled({0.0f, y}, {ground, y + height}, notice_ground);
+        pen.text({pad, y}, color_of(lines[i]), lines[i].text, width);
+        y += height;
     }
 }
 
