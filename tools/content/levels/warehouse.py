@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The level `warehouse`: a goods depot of 37 rooms, aisles and corridors with about 500 lamps.
+"""The level `warehouse`: a goods depot of 34 rooms, aisles and corridors with about 530 lamps.
 
 Walls, door frames and portal arches hide most lamps from any place, as in the paper's figure 8 (a).
 This file holds the plan; warehouse_rooms.py furnishes it.
@@ -17,8 +17,8 @@ PANEL = vigil("concrete_panel")
 PAINTED = vigil("floor_painted")
 RIBBED = vigil("metal_ribbed")
 DARK = vigil("concrete_dark")
-BRICK = vigil("brick")
-PALE = vigil("brick_pale")
+BRICK = vigil("brick", scale=.25)
+PALE = vigil("brick_pale", scale=.25)
 TILE = vigil("tile_white", scale=.25)
 CHECK = vigil("tile_floor")
 PLASTER = vigil("plaster")
@@ -26,7 +26,7 @@ CEILING = vigil("ceiling_tile")
 HAZARD = vigil("hazard", scale=.25)
 PLATE = vigil("metal_plate")
 TREAD = vigil("tread", scale=.25)
-PLANKS = vigil("planks")
+PLANKS = vigil("planks", scale=.25)
 
 HALL = Skin(PANEL, PAINTED, DARK, [(56, HAZARD), (64, PANEL), (160, RIBBED)])
 AISLE = Skin(RIBBED, PAINTED, DARK)
