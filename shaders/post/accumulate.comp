@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `accumulate`: folds this frame into the running mean (of one frame while nothing is accumulated) and sums the log
+// Pass `accumulate`: folds this frame into the running mean (of one frame while nothing is accumulated) and takes the mean
 // luminance of each tile for the automatic exposure.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
@@ -22,13 +22,15 @@ void main() {
             value = before + (value - before) / float(frame.accumulated + 1u);
         }
         mean_radiance[index] = value;
-        // Black pixels say nothing about how bright the rest should look.
-        const float brightness = luminance(value);
-        if (brightness > 1e-6) tile[lane] = vec2(log2(brightness), 1.0);
+        tile[lane] = vec2(luminance(value), 1.0);
     }
     for (uint step = 32u; step > 0u; step >>= 1) {
         barrier();
         if (lane < step) tile[lane] += tile[lane + step];
     }
-    if (lane == 0u) exposure_tiles[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = tile[0];
+    // A tile's mean hardly knows noise, which a mean of logarithms of single pixels would take for darkness or for light.
+    // Black tiles say nothing about how bright the rest should look.
+    const float brightness = tile[0].x / tile[0].y;
+    const vec2 counted = brightness > 1e-6 ? vec2(log2(brightness), 1.0) : vec2(0.0);
+    if (lane == 0u) exposure_tiles[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = counted;
 }

@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `exposure`: one work group turns the tiles' log luminances into the factor from radiance to display. The
-// geometric mean of the picture comes out at middle grey (Reinhard et al. 2002, 18 %). Each picture is
+// Pass `exposure`: one work group turns the tiles' luminances into the factor from radiance to display. The
+// geometric mean of the tiles comes out at middle grey (Reinhard et al. 2002, 18 %). Each picture is
 // exposed by itself, so a picture never depends on the frames before it.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
