@@ -26,7 +26,9 @@ def compile_map(ericw, source):
 
 
 def run(ericw, tool, *arguments):
-    done = subprocess.run([ericw, tool, "-nopercent", "-noprogress", "-nolog",
+    # One thread: the order in which several finish shows in the file.
+    # One thread: with several, the order in which they finish could show in the file.
+    done = subprocess.run([ericw, tool, "-nopercent", "-noprogress", "-nolog", "-threads", "1",
                            *map(str, arguments)],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           check=False)

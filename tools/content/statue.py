@@ -75,7 +75,8 @@ def spine():
     side = np.cross(tangent, up)
     radius = catmull(radii[:, None], at)[:, 0]
     head = np.clip((at - (len(points) - 5.6)) / .9, 0, 1)
-    return position, up, side, radius, np.linspace(0, length[-1], ALONG), head * head * (3 - 2 * head)
+    head = head * head * (3 - 2 * head)
+    return position, up, side, radius, np.linspace(0, length[-1], ALONG), head
 
 
 def bump(x, width):

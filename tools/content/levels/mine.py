@@ -8,7 +8,6 @@ and the bit of sky send on, and by a few oil lamps deep in the gallery.
 import numpy as np
 
 import crate
-import lamp
 from brush import beam, box, cylinder, hull
 from carver import Carver, Skin
 from map_file import Level
