@@ -14,9 +14,9 @@ namespace vigil::vkpt {
 
 namespace {
 
-// Readers interpolate between our pixels, so that the creases between texels are rounded off: at two
-// pixels per texel a 64-texel side was seen to be off by 0.35% around a glow. The least width gives
-// such sides eight.
+// Readers interpolate between our pixels, so that the creases between texels are rounded off: at
+// two pixels per texel a 64-texel side was seen to be off by 0.35% around a glow. The least width
+// gives such sides eight.
 constexpr uint32_t panorama_min_width = 2048, panorama_max_width = 4096;
 
 /// Linear to an sRGB byte (IEC 61966-2-1).
