@@ -20,18 +20,21 @@ HALLS = [10, 100, 1000, 10000, 100000]
 
 @dataclass
 class Entry:
-    """A level: game is 'game' or 'test', build returns (Level, Route or None)."""
+    """A level: game is 'game' or 'test', build returns (Level, Route or None), verify looks at the
+    compiled Bsp and raises ValueError when something is amiss."""
 
     name: str
     game: str
     build: Callable
+    verify: Callable = None
 
 
 def levels(lights=None):
     """All levels; lights adds a hall with that many lamps."""
     out = [Entry(f.__name__, "test", lambda f=f: (f(), None)) for f in test_rooms.LEVELS]
     for module in (warehouse, mine, gallery, ring):
-        out.append(Entry(module.__name__, "game", module.build))
+        out.append(Entry(module.__name__, "game", module.build,
+                         getattr(module, "verify", None)))
     for count in [*HALLS, *([lights] if lights else [])]:
         out.append(Entry("many_%d" % count, "game", lambda n=count: many.build(n)))
     return out

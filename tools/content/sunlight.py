@@ -4,8 +4,9 @@
 import numpy as np
 
 
-def sunlit(planes, starts, points, toward, reach=4096.0):
-    """Booleans per point: whether the segment of length reach towards the sun meets no brush.
+def sunlit(planes, starts, points, toward, reach):
+    """Booleans per point: whether its segment towards the sun, reach (per point) long, meets no
+    brush.
 
     planes and starts are those of Bsp.blocking_planes (sky brushes are solid: reach must end
     below them, so pass the height of the opening divided by the sun's elevation).
@@ -23,6 +24,6 @@ def sunlit(planes, starts, points, toward, reach=4096.0):
         enter = np.where(parallel, np.where(outside, np.inf, -np.inf), enter)
         leave = np.where(parallel, np.inf, leave)
         first = np.maximum(np.maximum.reduceat(enter, starts), 0.5)
-        last = np.minimum(np.minimum.reduceat(leave, starts), reach)
+        last = np.minimum(np.minimum.reduceat(leave, starts), reach[i])
         out[i] = not np.any(first < last - 1e-3)
     return out

@@ -15,6 +15,7 @@ from material import SKY_BOX, vigil
 from rock import Rock, value_noise
 from route import Route
 from sky import sun_direction
+from sunlight import sunlit
 
 SUN_YAW, SUN_PITCH = 215, -63
 BOTTOM, TOP = -160, 672
@@ -31,6 +32,8 @@ HULL = [((352, -96, BOTTOM), (1888, 1568, TOP), SKY_BOX),
         ((-1248, 64, BOTTOM), (-640, 832, 416), vigil("rock_dark")),
         ((1888, 64, BOTTOM), (2208, 640, 416), vigil("rock_dark"))]
 TRACK = [(-1000, 560), (-560, 300), (640, 480), (960, 640)]
+# Spacing of the points that verify() looks at, in map units.
+SAMPLE = 24
 POST = vigil("beam", turn=True)
 BEAM = vigil("beam")
 IRON = vigil("rust")
@@ -78,11 +81,15 @@ def ceiling(x, y):
     return np.where(away < radius, TOP, roof + 60 * np.exp(-((away - radius) / 90) ** 2))
 
 
+def cave():
+    return Rock((-1248, -96), (2208, 1568), 64, 17, BOTTOM, TOP, floor, ceiling, seed=4)
+
+
 def build():
     """The level and its camera route: out of the gallery, around the patch of sun."""
     level = Level("mine", "The open cut", sky="dusk", _sun_light=1600, _sun_color="1 0.88 0.70",
                   _sun_mangle="%d %d 0" % (SUN_YAW, SUN_PITCH))
-    rock = Rock((-1248, -96), (2208, 1568), 64, 17, BOTTOM, TOP, floor, ceiling, seed=4)
+    rock = cave()
     carver = Carver(16)
     stone = vigil("rock_dark")
     for lo, hi, roof in HULL:
@@ -96,6 +103,21 @@ def build():
     camera = route(rock)
     level.start(camera.keys[0][0], 0)
     return level, camera
+
+
+def verify(bsp):
+    """Says where the sun meets the ground; raises ValueError when that is not a small patch."""
+    x, y = np.meshgrid(np.arange(500, 1800, SAMPLE), np.arange(100, 1500, SAMPLE))
+    points = np.column_stack([x.ravel(), y.ravel()])
+    points = np.column_stack([points, cave().floor_at(*points.T) + 1])
+    points = points[points[:, 2] < 200]
+    sun = toward_sun()
+    lit = points[sunlit(*bsp.blocking_planes(), points, sun, (TOP - 4 - points[:, 2]) / sun[2])]
+    area = len(lit) * SAMPLE ** 2
+    if not 10000 < area < 100000:
+        raise ValueError("mine: the sun meets %d square units of ground" % area)
+    print("mine          sun on %d square units of ground around %s" % (
+        area, lit.mean(axis=0).round()))
 
 
 def ground(rock, x, y):
