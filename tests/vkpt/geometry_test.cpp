@@ -105,6 +105,29 @@ TEST_F(Geometry, TwelveLampsAndOneOnTheDoor) {
                     0.0f, 1e-4f);
 }
 
+TEST_F(Geometry, TwoSidedFacesLieApart) {
+    // What can be seen from both sides has two faces in one plane; rounding must not choose
+    // between.
+    const auto level = load_level(files_, "rooms");
+    const Bsp& bsp = level->bsp;
+    size_t moved = 0;
+    const ModelGeometry world = brush_model_geometry(*level, 0, materials_);
+    for (const BspFace& face : bsp.faces) {
+        if ((bsp.texinfos[face.texinfo].flags & (SURF_TRANS33 | SURF_TRANS66)) == 0) continue;
+        const glm::vec3 normal = face_normal(bsp, face);
+        const glm::vec3 corner = face_polygon(bsp, face).front();
+        for (const BvhInputTriangle& triangle : world.triangles) {
+            if (glm::distance(triangle.v0, corner) > 0.1f ||
+                glm::dot(glm::normalize(area_of(triangle)), normal) < 0.999f)
+                continue;
+            ++moved;
+            for (const glm::vec3& v : {triangle.v0, triangle.v1, triangle.v2})
+                EXPECT_NEAR(glm::dot(v - corner, normal), 1.0f / 32.0f, 1e-4f);
+        }
+    }
+    EXPECT_GE(moved, 2u);
+}
+
 TEST_F(Geometry, TrianglesOfOneClusterLieInIt) {
     const auto level = load_level(files_, "rooms");
     const ModelGeometry world = brush_model_geometry(*level, 0, materials_);
