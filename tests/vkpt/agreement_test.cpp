@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The GPU against the host, function by function: camera rays against brute-force intersection, PVS
 // clusters, the sky box's geometry, texture look-ups and the orientation of textures on walls.
-#include "common/scratch_folder.h"
 #include "formats/bsp_query.h"
 #include "formats/image.h"
 #include "formats/sky.h"
@@ -280,8 +279,7 @@ class Textures : public Agreement {
 protected:
     void SetUp() override {
         Agreement::SetUp();
-        folder_.write("textures/test/marked.tga", write_tga(picture_));
-        files().mount_folder(folder_.path());
+        write_game_file("textures/test/marked.tga", write_tga(picture_));
         // On the walls of the court, in place of sand.
         load("opensky", [](Level& level) {
             for (BspTexInfo* info : texinfos_of(level, "test/sand"))
@@ -310,7 +308,6 @@ protected:
     }
 
     const Image picture_ = marked_picture();
-    ScratchFolder folder_;
     Shot shot_;
     uint32_t header_ = 0;
 };

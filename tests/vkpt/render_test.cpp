@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "render_test.h"
 
+#include "common/scratch_folder.h"
 #include "refresh/vkpt/gpu/commands.h"
 
 #include <cstdlib>
@@ -13,6 +14,7 @@ namespace vigil::test {
 namespace {
 
 struct Shared {
+    ScratchFolder folder; // files that tests add
     FileSystem files;
     std::unique_ptr<vkpt::VkptRenderer> renderer;
 };
@@ -87,6 +89,11 @@ void RenderTest::set_size(int width, int height) {
     set("vid_height", std::to_string(height));
 }
 
+void RenderTest::write_game_file(std::string_view name, std::span<const uint8_t> bytes) {
+    shared->folder.write(name, bytes);
+    shared->files.mount_folder(shared->folder.path()); // to see what is new
+}
+
 void RenderTest::load(std::string_view name, const Edit& edit) {
     auto changed = std::make_shared<Level>(*load_level(files(), name));
     if (edit) edit(*changed);
@@ -101,10 +108,12 @@ refresh::RadiancePicture RenderTest::radiance(const Shot& shot) {
 
 PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int seed, int block) {
     PictureBatches result(cvars()->vid_width, cvars()->vid_height, block);
-    set("pt_spp", std::to_string(paths));
+    set("pt_spp", "1");
+    radiance(shot); // brings scene and technique to this frame
+    shader::FrameParams frame = params(shot);
     for (int batch = 0; batch < batches; ++batch) {
-        set("pt_seed", std::to_string(seed + batch));
-        result.add(radiance(shot).rgb);
+        frame.cvars.pt_seed = seed + batch;
+        result.add(trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths)));
     }
     return result;
 }

@@ -14,6 +14,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -42,13 +43,17 @@ protected:
     static void set(std::string_view name, std::string_view value) { cvars().set(name, value); }
     static void set_size(int width, int height);
 
+    /// Lays a file over the game data until the program ends.
+    static void write_game_file(std::string_view name, std::span<const uint8_t> bytes);
+
     /// Loads maps/NAME of tests/data, changed by `edit` before the renderer sees it.
     void load(std::string_view name, const Edit& edit = {});
     const Level& level() const { return *level_; }
 
     /// One frame's radiance.
     static refresh::RadiancePicture radiance(const Shot& shot);
-    /// `batches` frames of `paths` paths per pixel with seeds seed, seed + 1, ...
+    /// `batches` pictures of `paths` paths per pixel with seeds seed, seed + 1, ...; the same
+    /// whatever was rendered before.
     static PictureBatches batches(const Shot& shot, int batches, int paths, int seed, int block);
 
     /// Parameters of a frame as the renderer would make them, for `trace`.
