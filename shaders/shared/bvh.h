@@ -94,13 +94,14 @@ SHADER_FN float bvh_box_entry(vec3 lower, vec3 upper, vec3 origin, vec3 inverse,
 SHADER_CONST uint BVH_NO_CHILD = 0xffffffffu;
 
 /// Tests the ray against the children of an inner record (its four uvec4). Returns the children it
-/// enters within [t_min, t_max], nearest first: the child's number in bits 0..1 under its distance,
-/// then BVH_NO_CHILD. Distances are compared as integers: the order of floats that are not
-/// negative, and all negative ones count as less than t_min >= 0 either way (a third of the price
-/// of float minima where NaN must be right). 8 steps of the last place make up for rounding
-/// relative to t; rounding relative to the box is in the builder's padding.
+/// enters within [t_min, t_max], then BVH_NO_CHILD: the child's number in bits 0..1, above it the
+/// distance when sorted `by_distance`, else zero, which keeps the builder's order, largest first.
+/// Distances are compared as integers: that is the order of floats that are not negative, and
+/// negative ones count as less than t_min >= 0 in any order (float minima that get NaN right cost
+/// three times as much on a CPU). 8 steps of the last place make up for rounding relative to t;
+/// rounding relative to the box is in the builder's padding.
 SHADER_FN uvec4 bvh_sorted_children(uvec4 x, uvec4 y, uvec4 z, uvec4 meta, vec3 origin,
-                                    vec3 inverse, float t_min, float t_max) {
+                                    vec3 inverse, float t_min, float t_max, bool by_distance) {
     vec3 grid_origin = uintBitsToFloat(uvec3(meta.x, meta.y, meta.z));
     vec3 step = uintBitsToFloat(meta.w & BVH_STEP_MASK) * inverse;
     vec3 start = (grid_origin - origin) * inverse;
@@ -114,7 +115,8 @@ SHADER_FN uvec4 bvh_sorted_children(uvec4 x, uvec4 y, uvec4 z, uvec4 meta, vec3 
         max(max(min(x0, x1), min(y0, y1)), max(min(z0, z1), ivec4(floatBitsToInt(t_min))));
     ivec4 leave =
         min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), ivec4(floatBitsToInt(t_max)))) + 8;
-    uvec4 key = (uvec4(entry) & 0xfffffffcu) | uvec4(0u, 1u, 2u, 3u);
+    uvec4 key = uvec4(0u, 1u, 2u, 3u);
+    if (by_distance) key |= uvec4(entry) & 0xfffffffcu;
     key = mix(uvec4(BVH_NO_CHILD), key, lessThanEqual(entry, leave));
     // Sorting network for four.
     uint low_a = min(key.x, key.y);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Walks one bottom-level hierarchy with a ray, nearer children first, with a stack of one word per
-// level. Every round of the loop loads one record and does the work of an inner record and of a
-// leaf: lanes that run in lockstep then never wait for each other's kind (docs/tracing.md has the
-// alternatives). The text compiles as GLSL and as C++ (tests): whoever includes it defines `uvec4
-// bvh_load_node(uint word)` before. Instances are not known here.
+// Walks one bottom-level hierarchy with a ray, nearer children first (for any hit, larger ones
+// first, after Nah and Manocha 2014), with a stack of one word per level. Every round of the loop
+// loads one record and does the work of an inner record and of a leaf: lanes that run in lockstep
+// then never wait for each other's kind (docs/tracing.md has the alternatives). The text compiles
+// as GLSL and as C++ (tests): whoever includes it defines `uvec4 bvh_load_node(uint word)` before.
 #ifndef VIGIL_TRACE_BVH_TRAVERSE_GLSL
 #define VIGIL_TRACE_BVH_TRAVERSE_GLSL
 
@@ -63,7 +63,8 @@ SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool a
 
         // Go to the nearest child that is entered. What was pending before goes on the stack:
         // stored always, kept if need be, as a store that only some lanes do costs more.
-        uvec4 children = bvh_sorted_children(a, b, c, meta, ray.origin, inverse, ray.t_min, limit);
+        uvec4 children =
+            bvh_sorted_children(a, b, c, meta, ray.origin, inverse, ray.t_min, limit, !any_hit);
         bool down = children.x != BVH_NO_CHILD && !leaf;
         stack[stack_size] = pending;
         stack_size += down && !bvh_pending_empty(pending) ? 1u : 0u;

@@ -6,10 +6,12 @@
 #define VIGIL_TRACE_BVH_GLSL
 
 // With TRACE_TEXEL=1 the nodes are a texel buffer (R32G32B32A32_UINT): the same bytes through the
-// texture path. On lavapipe that is 1.3 to 1.7 times as fast as a storage buffer, whose divergent
+// texture path. On lavapipe that is 1.1 to 1.6 times as fast as a storage buffer, whose divergent
 // loads it does lane by lane and word by word.
 #if TRACE_TEXEL
-layout(set = SET_SCENE, binding = BINDING_BVH_NODES) uniform usamplerBuffer bvh_nodes;
+#extension GL_EXT_samplerless_texture_functions : require
+
+layout(set = SET_SCENE, binding = BINDING_BVH_NODES) uniform utextureBuffer bvh_nodes;
 
 uvec4 bvh_load_node(uint word) {
     return texelFetch(bvh_nodes, int(word));

@@ -9,6 +9,7 @@
 #include "refresh/vkpt/scene/triangle_pairs.h"
 #include "shared/bvh.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -99,7 +100,11 @@ public:
             encode_leaf(pairs_[items_[tree.item].index], record);
             return;
         }
-        const std::vector<const SahNode*> children = wide_children(tree);
+        std::vector<const SahNode*> children = wide_children(tree);
+        // Largest first: the order in which shadow rays look for anything that stops them.
+        std::stable_sort(children.begin(), children.end(), [](const SahNode* x, const SahNode* y) {
+            return x->bounds.half_area() > y->bounds.half_area();
+        });
         const std::uint32_t node = add_node();
         const Grid grid(tree.bounds);
         glm::uvec4* words = &bvh_.nodes[std::size_t{record} * shader::BVH_RECORD_WORDS];

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/trace_rig.h"
+
+#include "shared/bindings.h"
+
+#include <array>
+#include <cstdint>
+
+namespace vigil::bench {
+
+namespace {
+
+#include "shaders/trace_rays.h"       // uint32_t shader_trace_rays[]
+#include "shaders/trace_rays_texel.h" // uint32_t shader_trace_rays_texel[]
+
+constexpr std::array<VkDescriptorType, 3> ray_types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                                       VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                                       VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+
+} // namespace
+
+TraceRig::TraceRig(const gpu::Device& device, Nodes nodes)
+    : device_(device), node_access_(nodes), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      layout_set_(device, ray_types, unused_, "no rays") {}
+
+std::size_t TraceRig::add_model(std::span<const BvhInputTriangle> triangles) {
+    const Bvh bvh = build_bvh(triangles);
+    const auto first = static_cast<std::uint32_t>(triangles_.size());
+    models_.push_back({append_bvh(bvh, first, nodes_), bvh.bounds});
+    for (const std::uint32_t source : bvh.order) {
+        const BvhInputTriangle& t = triangles[source];
+        triangles_.push_back({t.v0, t.coverage, t.v1 - t.v0, t.v2 - t.v0});
+        sources_.push_back({models_.size() - 1, source});
+    }
+    return models_.size() - 1;
+}
+
+void TraceRig::place(std::size_t model, const glm::mat4x3& world_from_object) {
+    TopLevelInstance instance;
+    instance.object_bounds = models_[model].bounds;
+    instance.world_from_object = world_from_object;
+    const glm::mat3 linear = glm::inverse(glm::mat3(world_from_object));
+    instance.object_from_world =
+        glm::mat4x3(linear[0], linear[1], linear[2], -(linear * world_from_object[3]));
+    instance.bvh_root = models_[model].root;
+    instance.instance = static_cast<std::uint32_t>(instances_.size() + 1);
+    instances_.push_back(instance);
+}
+
+void TraceRig::finish(bool translucent) {
+    node_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(nodes_), "nodes",
+                                    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    triangle_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(triangles_), "triangles");
+    top_buffer_ =
+        gpu::make_buffer(device_, gpu::bytes_of(build_top_level(instances_)), "top level");
+
+    const bool texels = node_access_ == Nodes::Texels;
+    std::vector<VkDescriptorType> types(BINDING_ACCELERATION_STRUCTURE,
+                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    if (texels) types[BINDING_BVH_NODES] = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    scene_set_ = gpu::DescriptorSet(device_, types, unused_, "scene");
+    if (texels) {
+        node_view_ = vkpt::NodeView(device_, node_buffer_);
+        node_view_.bind(scene_set_.handle(), BINDING_BVH_NODES);
+    } else {
+        scene_set_.bind(BINDING_BVH_NODES, node_buffer_);
+    }
+    scene_set_.bind(BINDING_BVH_TRIANGLES, triangle_buffer_);
+    scene_set_.bind(BINDING_TOP_NODES, top_buffer_);
+
+    layout_ =
+        gpu::make_pipeline_layout(device_, std::array{scene_set_.layout(), layout_set_.layout()});
+    const std::span<const std::uint32_t> code =
+        texels ? std::span<const std::uint32_t>(shader_trace_rays_texel)
+               : std::span<const std::uint32_t>(shader_trace_rays);
+    const auto make = [&](bool any_hit) {
+        const std::array constants{gpu::Specialization{0, !instances_.empty()},
+                                   gpu::Specialization{1, translucent},
+                                   gpu::Specialization{8, any_hit}};
+        return gpu::ComputePipeline(device_, layout_.get(), nullptr, code, constants, "rays");
+    };
+    closest_ = make(false);
+    any_ = make(true);
+}
+
+TraceRig::Batch TraceRig::make_batch(std::span<const shader::Ray> rays) const {
+    Batch batch;
+    batch.count = static_cast<std::uint32_t>(rays.size());
+    batch.rays = gpu::make_buffer(device_, std::as_bytes(rays), "rays");
+    batch.answers = gpu::Buffer(device_, rays.size() * sizeof(shader::RayAnswer),
+                                gpu::MemoryUse::Device, "answers");
+    batch.occluded = gpu::Buffer(device_, rays.size() * sizeof(std::uint32_t),
+                                 gpu::MemoryUse::Device, "occluded");
+    batch.set = gpu::DescriptorSet(device_, ray_types, unused_, "rays");
+    batch.set.bind(0, batch.rays);
+    batch.set.bind(1, batch.answers);
+    batch.set.bind(2, batch.occluded);
+    return batch;
+}
+
+void TraceRig::trace(const Batch& batch, bool any_hit) const {
+    gpu::run_now(device_, [&](VkCommandBuffer commands) {
+        (any_hit ? any_ : closest_).bind(commands);
+        const std::array sets{scene_set_.handle(), batch.set.handle()};
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 2,
+                                sets.data(), 0, nullptr);
+        vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           sizeof(batch.count), &batch.count);
+        vkCmdDispatch(commands, (batch.count + 63) / 64, 1, 1);
+    });
+}
+
+std::vector<shader::RayAnswer> TraceRig::answers(const Batch& batch) const {
+    return gpu::download_now_as<shader::RayAnswer>(device_, batch.answers, 0, batch.count);
+}
+
+std::vector<std::uint32_t> TraceRig::occluded(const Batch& batch) const {
+    return gpu::download_now_as<std::uint32_t>(device_, batch.occluded, 0, batch.count);
+}
+
+} // namespace vigil::bench
