@@ -54,9 +54,9 @@ struct Comparison {
     std::string text() const;
 };
 
-/// Standard errors that a score may reach. One of 1,000 scores exceeds 5 by chance with probability
-/// 6e-4 two-sided, 3e-4 one-sided; the convergence tests make about 300, so a sound renderer fails
-/// them with probability 1e-4 per choice of seeds. The seeds are fixed: a failure stays.
+/// What a score may reach. Beyond 5 lies 2.9e-7 of the normal distribution on each side. The GPU
+/// tests make about 400 scores, a third of them two-sided: a sound renderer fails one with a
+/// probability of 1.5e-4 at most per choice of seeds. The seeds are fixed, so a failure stays.
 inline constexpr double score_limit = 5.0;
 
 Comparison compare(const PictureBatches& a, const PictureBatches& b, std::size_t channel);
