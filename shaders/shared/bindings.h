@@ -9,8 +9,8 @@
 #define SET_TECHNIQUE 1
 
 #define BINDING_FRAME 0          // uniform FrameParams: shared/frame_params.h, pathtrace/frame.glsl
-#define BINDING_BVH_NODES 1      // bottom-level nodes of all models: trace/trace_bvh.glsl
-#define BINDING_BVH_TRIANGLES 2  // BvhTriangle[]: trace/trace_bvh.glsl
+#define BINDING_BVH_NODES 1      // texel buffer, bottom-level nodes of all models: trace/trace_bvh.glsl
+#define BINDING_BVH_TRIANGLES 2  // BvhTriangle[]: trace/trace_bvh.glsl, trace/trace_query.glsl
 #define BINDING_TOP_NODES 3      // top-level nodes of this frame: trace/trace_bvh.glsl
 #define BINDING_INSTANCES 4      // Instance[]: pathtrace/scene.glsl
 #define BINDING_PRIMITIVES 5     // Primitive[]: pathtrace/scene.glsl

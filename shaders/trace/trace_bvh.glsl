@@ -5,9 +5,12 @@
 #ifndef VIGIL_TRACE_BVH_GLSL
 #define VIGIL_TRACE_BVH_GLSL
 
-// With TRACE_TEXEL=1 the nodes are a texel buffer (R32G32B32A32_UINT): the same bytes through the
-// texture path. On lavapipe that is 1.1 to 1.6 times as fast as a storage buffer, whose divergent
-// loads it does lane by lane and word by word.
+// With TRACE_TEXEL=1, the default, the nodes are a texel buffer (R32G32B32A32_UINT): the same bytes
+// through the texture path. On lavapipe that is 1.1 to 1.6 times as fast as a storage buffer, whose
+// divergent loads it does lane by lane and word by word.
+#ifndef TRACE_TEXEL
+#define TRACE_TEXEL 1
+#endif
 #if TRACE_TEXEL
 #extension GL_EXT_samplerless_texture_functions : require
 

@@ -38,26 +38,15 @@ void TestPass::add_buffer(size_t bytes) {
 }
 
 void TestPass::run(glm::uvec3 groups, glm::uvec2 push) {
-    // Layouts that are defined alike are compatible: these stand for the path tracer's two.
-    std::vector<VkDescriptorType> scene_types(SCENE_BINDING_COUNT,
-                                              VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    scene_types[BINDING_FRAME] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    if (device_.features().ray_query)
-        scene_types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
-    else
-        scene_types.resize(BINDING_ACCELERATION_STRUCTURE);
-    const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
-                                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     const std::vector<VkDescriptorType> own_types(buffers_.size(),
                                                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     const gpu::Buffer unused(device_, 16, gpu::MemoryUse::Device, "unused");
-    const gpu::DescriptorSet scene_set(device_, scene_types, unused, "test scene");
-    const gpu::DescriptorSet technique_set(device_, technique_types, unused, "test technique");
     gpu::DescriptorSet own_set(device_, own_types, unused, "test");
     for (uint32_t i = 0; i < buffers_.size(); ++i)
         own_set.bind(i, buffers_[i]);
+    const auto [scene_layout, technique_layout] = renderer_.path_tracer().set_layouts();
     const gpu::Handle<VkPipelineLayout> layout = gpu::make_pipeline_layout(
-        device_, std::array{scene_set.layout(), technique_set.layout(), own_set.layout()});
+        device_, std::array{scene_layout, technique_layout, own_set.layout()});
 
     const vkpt::SceneFeatures features = renderer_.scene()->features();
     const std::array<gpu::Specialization, 8> constants{{{0, features.instances},

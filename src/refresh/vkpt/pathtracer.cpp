@@ -14,6 +14,7 @@ namespace {
 std::vector<VkDescriptorType> scene_binding_types(bool ray_query) {
     std::vector<VkDescriptorType> types(SCENE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     types[BINDING_FRAME] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    types[BINDING_BVH_NODES] = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     if (ray_query)
         types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     else
@@ -73,7 +74,7 @@ void PathTracer::resize(glm::uvec2 size) {
 
 void PathTracer::bind(const Scene& scene, const LightTechnique& technique) {
     scene_set_.bind(BINDING_FRAME, frame_);
-    scene_set_.bind(BINDING_BVH_NODES, scene.nodes());
+    scene.nodes().bind(scene_set_.handle(), BINDING_BVH_NODES);
     scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
     scene_set_.bind(BINDING_TOP_NODES, scene.top_nodes());
     scene_set_.bind(BINDING_INSTANCES, scene.instances());

@@ -41,6 +41,10 @@ public:
     const gpu::Buffer& counters() const { return counters_; }
     const gpu::Buffer& primary_hits() const { return surfaces_; }
     VkPipelineLayout layout() const { return layout_.get(); }
+    /// Layouts of sets 0 and 1.
+    std::array<VkDescriptorSetLayout, 2> set_layouts() const {
+        return {scene_set_.layout(), technique_set_.layout()};
+    }
     VkDescriptorSet scene_set() const { return scene_set_.handle(); }
     VkDescriptorSet technique_set() const { return technique_set_.handle(); }
 

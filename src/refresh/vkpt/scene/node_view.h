@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The node buffer seen as texels, for shaders compiled with TRACE_TEXEL=1: a view of format
-// R32G32B32A32_UINT and its place in a descriptor set. Devices whose texel buffers are too short
-// for a level keep the storage buffer.
+// R32G32B32A32_UINT and its place in a descriptor set. Vulkan promises 65,536 texels (1 MiB, a
+// level of 18,000 triangles); drivers in use offer millions.
 #pragma once
 
+#include "common/error.h"
 #include "refresh/vkpt/gpu/buffer.h"
+
+#include <glm/glm.hpp>
 
 namespace vigil::vkpt {
 
 class NodeView {
 public:
     NodeView() = default;
-    /// `nodes` was made with VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT and is as long as `fits`
-    /// allows.
+    /// `nodes` was made with VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT and outlives the view. Throws
+    /// Error when the device's texel buffers are too short for it.
     NodeView(const gpu::Device& device, const gpu::Buffer& nodes) : device_(&device) {
+        const uint32_t limit = device.properties().limits.maxTexelBufferElements;
+        if (nodes.bytes() / sizeof(glm::uvec4) > limit)
+            fail("the level needs {} bytes of hierarchy; this device reads at most {} texels of 16",
+                 nodes.bytes(), limit);
         VkBufferViewCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
         info.buffer = nodes.handle();
@@ -23,12 +30,6 @@ public:
         gpu::check(vkCreateBufferView(device.handle(), &info, nullptr, &view),
                    "vkCreateBufferView");
         view_ = {device.handle(), view, vkDestroyBufferView};
-    }
-
-    /// Whether a view of that many bytes is possible (every device offers 65,536 texels of 16
-    /// bytes, most offer millions).
-    static bool fits(const gpu::Device& device, uint64_t bytes) {
-        return bytes / 16 <= device.properties().limits.maxTexelBufferElements;
     }
 
     /// Points a binding of type VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER at the view; the GPU must

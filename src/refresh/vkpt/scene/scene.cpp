@@ -32,8 +32,8 @@ bool reserve(const gpu::Device& device, gpu::Buffer& buffer, size_t bytes, const
 
 template <typename T>
 bool replace(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& values,
-             const char* name) {
-    buffer = gpu::make_buffer(device, gpu::bytes_of(values), name);
+             const char* name, VkBufferUsageFlags extra_usage = 0) {
+    buffer = gpu::make_buffer(device, gpu::bytes_of(values), name, extra_usage);
     return true;
 }
 
@@ -274,7 +274,10 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
 
 bool Scene::upload_static() {
     device_.wait_idle();
-    replace(device_, nodes_buffer_, nodes_, "bottom-level nodes");
+    node_view_ = NodeView();
+    replace(device_, nodes_buffer_, nodes_, "bottom-level nodes",
+            VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    node_view_ = NodeView(device_, nodes_buffer_);
     replace(device_, triangles_buffer_, triangles_, "triangles");
     replace(device_, primitives_buffer_, primitives_, "primitives");
     replace(device_, materials_buffer_, materials_->materials(), "materials");

@@ -10,6 +10,7 @@
 #include "refresh/vkpt/scene/acceleration_structure.h"
 #include "refresh/vkpt/scene/light_set.h"
 #include "refresh/vkpt/scene/material_set.h"
+#include "refresh/vkpt/scene/node_view.h"
 #include "refresh/vkpt/scene/top_level.h"
 
 #include <map>
@@ -67,7 +68,7 @@ public:
     uint64_t revision() const { return revision_; }
     std::string describe() const;
 
-    const gpu::Buffer& nodes() const { return nodes_buffer_; }
+    const NodeView& nodes() const { return node_view_; }
     const gpu::Buffer& triangles() const { return triangles_buffer_; }
     const gpu::Buffer& primitives() const { return primitives_buffer_; }
     const gpu::Buffer& top_nodes() const { return top_buffer_; }
@@ -169,6 +170,7 @@ private:
     gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
         instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,
         cluster_buffer_;
+    NodeView node_view_; // of nodes_buffer_, destroyed before it
     std::optional<AccelerationStructures> ray_query_; // while rays are traced by queries
 };
 
