@@ -47,6 +47,7 @@ def arguments():
     parser.add_argument("--size", type=int, nargs=2, default=(160, 96), metavar=("WIDTH", "HEIGHT"))
     parser.add_argument("--batches", type=int, default=8, help="independent ones, on either side")
     parser.add_argument("--spp", type=int, default=32, help="paths per pixel of a batch (a multiple of 8)")
+    parser.add_argument("--seed", type=int, default=0, help="another number: other random numbers on both sides")
     parser.add_argument("--region", type=int, default=8, help="side of the compared squares in pixels")
     parser.add_argument("--rounding", type=float, default=5e-4,
                         help="relative standard error allowed for numbers rounded on the way")
@@ -90,17 +91,18 @@ def render(exported, folder, options):
     scene, materials = mitsuba_scene.build(exported, folder, width, height, options.exact_texels)
     short = options.integrator == "short" or (options.integrator == "auto" and needs_short_paths(exported))
     pictures = []
+    seeds = range(1000 * options.seed, 1000 * options.seed + options.batches)
     if short:
         import short_paths
         tracer = short_paths.Tracer(scene, exported, materials)
         tracer.learn_lamps(scene.sensors()[0], width, height, 8)
-        for batch in range(options.batches):
-            pictures.append(tracer.picture(scene.sensors()[0], width, height, options.spp, batch))
+        for seed in seeds:
+            pictures.append(tracer.picture(scene.sensors()[0], width, height, options.spp, seed))
     else:
         # Emission seen directly, light at the first hit, light at the second: three edges.
         integrator = mi.load_dict({"type": "path", "max_depth": 3, "rr_depth": 1000})
-        for batch in range(options.batches):
-            pictures.append(np.array(mi.render(scene, integrator=integrator, spp=options.spp, seed=batch)))
+        for seed in seeds:
+            pictures.append(np.array(mi.render(scene, integrator=integrator, spp=options.spp, seed=seed)))
     return np.stack(pictures).astype(np.float64), "short" if short else "path"
 
 
@@ -108,7 +110,7 @@ def vigil_batches(level, folder, options):
     import mitsuba as mi
     width, height = options.size
     said = vigil_pictures.run(options.vigil.resolve(), level, folder.resolve(), width, height, options.batches,
-                              options.spp // 8, 8, [*level.variables, *options.set])
+                              options.seed, options.spp // 8, 8, [*level.variables, *options.set])
     (folder / "vigil.log").write_text(said)
     pictures = [np.array(mi.Bitmap(str(folder / f"{level.name}_{batch}.exr")).convert(
         mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float32, False)) for batch in range(1, options.batches + 1)]

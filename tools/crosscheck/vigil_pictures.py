@@ -13,7 +13,7 @@ class VigilFailed(Exception):
     pass
 
 
-def run(vigil, level, folder, width, height, batches, frames, spp, extra):
+def run(vigil, level, folder, width, height, batches, seed, frames, spp, extra):
     """Writes LEVEL.gltf and LEVEL_1.exr ... into `folder`; returns what the program said. `level`: a crosscheck Level.
     `extra`: more variables, as pairs."""
     command = [str(vigil), "+set", "basedir", str(level.basedir), "+set", "outdir", str(folder),
@@ -25,7 +25,7 @@ def run(vigil, level, folder, width, height, batches, frames, spp, extra):
         command += ["+noclip", "+setviewpos", *map(str, level.view)]
     command += ["+wait", "1", "+exportscene", f"{level.name}.gltf", "+set", "pt_accumulate", "1"]
     for batch in range(1, batches + 1):
-        command += ["+set", "pt_seed", str(batch), "+wait", str(frames), "+screenshot_hdr", f"{level.name}_{batch}"]
+        command += ["+set", "pt_seed", str(1000 * seed + batch), "+wait", str(frames), "+screenshot_hdr", f"{level.name}_{batch}"]
     done = subprocess.run(command + ["+quit"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           stdin=subprocess.DEVNULL, check=False)
     # What must be there says whether it went well: at the console an error ends a command, not the program.
