@@ -14,7 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <functional>
@@ -216,6 +217,7 @@ int run_trace_bench(std::span<const std::string> arguments) {
                 row["differences"] = result.mismatches;
             }
             fmt::print("\n");
+            std::fflush(stdout); // rows take seconds; show them through pipes too
             rows.push_back(std::move(row));
             // Edges explain a few rays in a million; a broken traversal loses far more.
             agree &= result.mismatches <= 10 + result.rays / 10000;
