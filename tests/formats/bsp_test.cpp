@@ -5,6 +5,7 @@
 #include "formats/bsp_query.h"
 #include "small_level.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include <limits>

@@ -3,6 +3,7 @@
 // GPU runs, compiled here as C++, against brute force.
 #include "trace_scenes.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace vigil::test {

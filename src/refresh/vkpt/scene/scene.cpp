@@ -45,7 +45,7 @@ Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr
       materials_(std::make_unique<MaterialSet>(files, *textures_)) {
     ModelGeometry world = brush_model_geometry(*level_, 0, *materials_);
     lights_ = LightSet(world.lights);
-    place_model("*0", std::move(world), 0);
+    place_model("*0", std::move(world), Deforms::No);
     read_sky();
     cluster_buffer_ =
         gpu::make_buffer(device_, gpu::bytes_of(vkpt::cluster_tree(level_->bsp)), "cluster tree");
@@ -69,7 +69,7 @@ void Scene::read_sky() {
     sky_.sun_direction = -glm::normalize(along);
 }
 
-size_t Scene::place_model(std::string name, ModelGeometry geometry, uint32_t spare_percent) {
+size_t Scene::place_model(std::string name, ModelGeometry geometry, Deforms deforms) {
     Placed placed;
     placed.name = std::move(name);
     placed.first_triangle = static_cast<uint32_t>(triangles_.size());
@@ -78,14 +78,12 @@ size_t Scene::place_model(std::string name, ModelGeometry geometry, uint32_t spa
     triangles_.resize(triangles_.size() + geometry.triangles.size());
     primitives_.resize(triangles_.size());
     if (device_.features().ray_query) corners_.resize(3 * triangles_.size());
-    placed.deforms = spare_percent > 0;
+    placed.deforms = deforms == Deforms::Yes;
     write_model(placed, geometry);
-    // A deforming model needs a little more room when another pose makes a bigger hierarchy.
-    const uint32_t words = static_cast<uint32_t>(nodes_.size()) - placed.first_node_word;
-    const uint32_t spare =
-        words * spare_percent / 100 / shader::BVH_NODE_WORDS * shader::BVH_NODE_WORDS;
-    placed.node_words = words + spare;
-    nodes_.resize(nodes_.size() + spare);
+    // A deforming model gets room for the largest hierarchy that a pose can need.
+    if (placed.deforms)
+        nodes_.resize(placed.first_node_word + max_bvh_words(placed.triangle_count));
+    placed.node_words = static_cast<uint32_t>(nodes_.size()) - placed.first_node_word;
     placed.lights = std::move(geometry.lights);
     placed_.push_back(std::move(placed));
     static_dirty_ = true;
@@ -99,12 +97,9 @@ void Scene::write_model(Placed& placed, const ModelGeometry& geometry) {
     if (placed.node_words == 0) {
         placed.root = append_bvh(bvh, placed.first_triangle, nodes_);
     } else {
-        // In place: the references inside are absolute, so build them behind an offset of the right
-        // size.
-        std::vector<glm::uvec4> nodes(placed.first_node_word);
-        placed.root = append_bvh(bvh, placed.first_triangle, nodes);
-        std::copy(nodes.begin() + placed.first_node_word, nodes.end(),
-                  nodes_.begin() + placed.first_node_word);
+        const std::vector<glm::uvec4> nodes =
+            rebase_bvh(bvh, placed.first_triangle, placed.first_node_word / shader::BVH_NODE_WORDS);
+        std::copy(nodes.begin(), nodes.end(), nodes_.begin() + placed.first_node_word);
     }
     for (size_t slot = 0; slot < bvh.order.size(); ++slot) {
         const BvhInputTriangle& source = geometry.triangles[bvh.order[slot]];
@@ -135,7 +130,7 @@ refresh::ModelHandle Scene::register_model(std::string_view name) {
             index >= level_->bsp.models.size())
             fail("{}: the level has brush models *1 to *{}", name, level_->bsp.models.size() - 1);
         model.placed =
-            place_model(model.name, brush_model_geometry(*level_, index, *materials_), 0);
+            place_model(model.name, brush_model_geometry(*level_, index, *materials_), Deforms::No);
     } else if (name.ends_with(".md2")) {
         model.md2 = std::make_shared<Md2>(parse_md2(name, files_.read(name)));
         for (const std::string& skin : model.md2->skins)
@@ -143,8 +138,9 @@ refresh::ModelHandle Scene::register_model(std::string_view name) {
         if (model.skin_materials.empty())
             model.skin_materials.push_back(materials_->picture_material(model.name + " skin"));
     } else if (name.ends_with(".glb")) {
-        model.placed = place_model(
-            model.name, mesh_geometry(parse_glb(name, files_.read(name)), *materials_), 0);
+        model.placed =
+            place_model(model.name, mesh_geometry(parse_glb(name, files_.read(name)), *materials_),
+                        Deforms::No);
     } else {
         fail("{}: models are *N, .md2 or .glb", name);
     }
@@ -173,7 +169,8 @@ size_t Scene::pose_of(const refresh::Entity& entity) {
             pose.model = entity.model;
             pose.frame = entity.frame + 1;
             const uint32_t skin = model.skin_materials.front();
-            pose.placed = place_model(model.name, md2_geometry(*model.md2, 0, 0, 0.0f, skin), 50);
+            pose.placed =
+                place_model(model.name, md2_geometry(*model.md2, 0, 0, 0.0f, skin), Deforms::Yes);
         }
         known = poses_.insert_or_assign(entity.number, pose).first;
     }
@@ -238,8 +235,8 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
                      static_cast<uint32_t>(entity.number));
     }
     if (!frame.dynamic_lights.empty() && !dynamic_light_model_)
-        dynamic_light_model_ =
-            place_model("dynamic light", dynamic_light_geometry(materials_->lamp_material()), 0);
+        dynamic_light_model_ = place_model(
+            "dynamic light", dynamic_light_geometry(materials_->lamp_material()), Deforms::No);
     for (const refresh::DynamicLight& light : frame.dynamic_lights) {
         if (!(light.radius > 0.0f)) continue;
         const Placed& placed = placed_[*dynamic_light_model_];

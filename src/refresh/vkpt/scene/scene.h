@@ -125,7 +125,8 @@ private:
     };
 
     void read_sky();
-    size_t place_model(std::string name, ModelGeometry geometry, uint32_t spare_percent);
+    enum class Deforms { No, Yes };
+    size_t place_model(std::string name, ModelGeometry geometry, Deforms deforms);
     void write_model(Placed& placed, const ModelGeometry& geometry);
     size_t pose_of(const refresh::Entity& entity);
     void add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
