@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Draws from one alias table over all lights, the same for every surface. The techniques `uniform` and `power` differ only in
-// the weights their host side puts into the table.
+// One alias table over all lights, the same for every surface. The techniques `uniform` and `power` draw from it alone, `vlc` explores
+// with it; they differ in the weights that their host side puts into the table.
 #ifndef VIGIL_LIGHT_ALIAS_GLSL
 #define VIGIL_LIGHT_ALIAS_GLSL
 
@@ -11,15 +11,14 @@ layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer AliasB
     AliasEntry alias_entries[];
 };
 
-LightChoice choose_light(Surface surface, inout Random random) {
-    if (alias_count == 0u) return LightChoice(NONE, 0.0);
-    const AliasSlot slot = alias_slot(random_next_bits(random), alias_count);
-    const uint light = alias_choose(alias_entries[slot.column], slot);
-    return LightChoice(light, alias_entries[light].pdf);
+/// Light drawn by 64 random bits; NONE if none shines.
+uint alias_light(uvec2 bits) {
+    if (alias_count == 0u) return NONE;
+    const AliasSlot slot = alias_slot(bits, alias_count);
+    return alias_choose(alias_entries[slot.column], slot);
 }
 
-float light_probability(Surface surface, uint light) {
-    return light < alias_count ? alias_entries[light].pdf : 0.0;
-}
+/// Probability with which alias_light draws this one.
+float alias_probability(uint light) { return light < alias_count ? alias_entries[light].pdf : 0.0; }
 
 #endif

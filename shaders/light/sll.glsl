@@ -57,7 +57,7 @@ uint list_stride(LightList list) {
 LightChoice choose_light(Surface surface, inout Random random) {
     const LightList list = find_light_list(surface);
     const vec3 u = random_next3(random);
-    if (list.count == 0u) return LightChoice(NONE, 0.0);
+    if (list.count == 0u) return light_choice(NONE, 0.0);
     const uint stride = list_stride(list);
     const uint start = min(uint(u.x * float(stride)), stride - 1u);
     const LtcSurface prepared = prepare_importance(surface);
@@ -83,8 +83,8 @@ LightChoice choose_light(Surface surface, inout Random random) {
             }
         }
     }
-    if (chosen == NONE) return LightChoice(NONE, 0.0);
-    return LightChoice(chosen, chosen_weight / (sum * float(stride)));
+    if (chosen == NONE) return light_choice(NONE, 0.0);
+    return light_choice(chosen, chosen_weight / (sum * float(stride)));
 }
 
 float light_probability(Surface surface, uint light) {

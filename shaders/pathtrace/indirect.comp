@@ -50,7 +50,7 @@ vec3 trace_path(Surface surface, inout Random random) {
         // Light it.
         surface = vertex.surface;
         if (LIGHTS_FOUND_BY_RAYS == 0 && HAS_LIGHTS)
-            gathered += throughput * next_event_estimate(surface, random);
+            gathered += throughput * next_event_estimate(surface, random).radiance;
     }
     return gathered;
 }

@@ -5,11 +5,15 @@
 
 #include "light/technique.glsl"
 
-/// Direct light of the technique's lights that `surface` sends towards its viewer: an unbiased estimate.
-vec3 next_event_estimate(Surface surface, inout Random random) {
-    const LightChoice choice = choose_light(surface, random);
-    const vec2 u = random_next2(random);
-    const uint seed = random_next_words(random).x;
+/// What one light sample adds to a surface.
+struct DirectLight {
+    vec3 radiance; // towards the viewer: an unbiased estimate of that of all the technique's lights
+    bool explored; // see LightChoice
+};
+
+/// Radiance of a chosen light towards the surface's viewer by way of the point that `u` draws, divided by all
+/// probabilities; 0 where something is in between.
+vec3 sampled_radiance(Surface surface, LightChoice choice, vec2 u, uint seed) {
     if (choice.light == NONE) return vec3(0.0);
     const Light light = lights[choice.light];
     const LightSample seen = sample_light(light, surface.origin, u);
@@ -28,6 +32,16 @@ vec3 next_event_estimate(Surface surface, inout Random random) {
     ray.t_max = distance;
     if (trace_occluded(ray, seed)) return vec3(0.0);
     return value;
+}
+
+DirectLight next_event_estimate(Surface surface, inout Random random) {
+    const LightChoice choice = choose_light(surface, random);
+    const vec2 u = random_next2(random);
+    const uint seed = random_next_words(random).x;
+    const vec3 value = sampled_radiance(surface, choice, u, seed);
+    // One path per pixel teaches: what is stored is bounded by the resolution.
+    if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, value != vec3(0.0));
+    return DirectLight(value, choice.explored);
 }
 
 #endif

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Descriptor sets and bindings. Set 0 is the scene and the frame, the same for every pass; set 1
-// belongs to the light-sampling technique that is in use. Each buffer is declared once in GLSL, in the file
+// belongs to the light-sampling technique that is in use; set 2 is what was learned from the frame before. Each buffer is declared once in GLSL, in the file
 // named beside its binding.
 #ifndef VIGIL_SHARED_BINDINGS_H
 #define VIGIL_SHARED_BINDINGS_H
 
 #define SET_SCENE 0
 #define SET_TECHNIQUE 1
+#define SET_GUIDING 2
 
 #define BINDING_FRAME 0          // uniform FrameParams: shared/frame_params.h, pathtrace/frame.glsl
 #define BINDING_BVH_NODES 1      // texel buffer, bottom-level nodes of all models: trace/trace_bvh.glsl
@@ -30,6 +31,15 @@
 #define SCENE_BINDING_COUNT 19
 
 // Set 1 holds this many storage buffers; what they are is the technique's business (shaders/light/NAME.glsl).
-#define TECHNIQUE_BINDING_COUNT 6
+#define TECHNIQUE_BINDING_COUNT 5
+
+// Set 2, declared in guiding/octree.glsl. Vulkan 1.2 lets a device stop at few storage buffers per stage, and Mesa 22.3's
+// software driver at 32 for all sets together.
+#define BINDING_GUIDING_HEADER 0  // GuidingHeader: shared/guiding_types.h
+#define BINDING_GUIDING_NODES 1   // number of inner nodes, and the nodes: shared/octree.h
+#define BINDING_GUIDING_LEAVES 2  // arrays by leaf: shared/guiding_types.h
+#define BINDING_GUIDING_SAMPLES 3 // light samples
+#define BINDING_GUIDING_VLC 4     // light ids of the caches
+#define GUIDING_BINDING_COUNT 5
 
 #endif

@@ -69,6 +69,25 @@
         "number of indirect hits at which lights are sampled") \
     GPU_INTEGER(pt_sll_max, Session, 32, 1, 1024, \
         "sll: most lights weighted per hit; longer lists are walked with a stride") \
+    INTEGER(pt_oct_split, Session, 4096, 1, 1000000000, \
+        "octree: a leaf with more surface samples than this is split (at 1920 x 1080)") \
+    INTEGER(pt_oct_collapse, Session, 2048, 0, 1000000000, \
+        "octree: eight leaves with fewer samples together become one (at 1920 x 1080)") \
+    REAL(pt_oct_scale, Session, 1.0, 0.001, 1000.0, \
+        "octree: factor on both thresholds; they also follow the number of pixels") \
+    GPU_INTEGER(pt_vlc_bucket, Session, 32, 1, 64, \
+        "vlc: most lights weighted per hit; caches with more have several buckets") \
+    GPU_REAL(pt_vlc_explore, Session, 0.1, 0.01, 1.0, \
+        "vlc: share of light samples that look for lights not in the cache") \
+    REAL(pt_vlc_hysteresis, Session, 0.75, 0.0, 1.0, \
+        "vlc: buckets must be emptier than this share before their number falls") \
+    INTEGER(pt_vlc_merge, Session, 1, 0, 1, "vlc: 1: caches take over their neighbours' lights") \
+    REAL(pt_explore_energy, Session, 1.0, 0.0, 1e6, \
+        "vlc: weight of a light's power when looking for lights") \
+    REAL(pt_explore_change, Session, 1.0, 0.0, 1e6, \
+        "vlc: weight of a light's appearing, moving or brightening when looking for lights") \
+    REAL(pt_explore_distance, Session, 1.0, 0.0, 1e6, \
+        "vlc: weight of being near the camera when looking for lights") \
     GPU_REAL(pt_sky_scale, Session, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \
     GPU_REAL(pt_sun_size, Session, 1.0, 0.01, 90.0, "angular diameter of the sun in degrees") \

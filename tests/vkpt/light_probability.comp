@@ -9,10 +9,10 @@
 #include "light/technique.glsl"
 
 // One row of light_count + 1 numbers per pixel; the last one stands for "no light".
-layout(set = 2, binding = 0, scalar) restrict writeonly buffer ProbabilityBlock { float probabilities[]; };
-layout(set = 2, binding = 1, scalar) restrict buffer CountBlock { uint draws[]; };
+layout(set = 3, binding = 0, scalar) restrict writeonly buffer ProbabilityBlock { float probabilities[]; };
+layout(set = 3, binding = 1, scalar) restrict buffer CountBlock { uint draws[]; };
 // Largest relative difference between the probability that came with a draw and the one asked for afterwards; as bits.
-layout(set = 2, binding = 2, scalar) restrict buffer ErrorBlock { uint errors[]; };
+layout(set = 3, binding = 2, scalar) restrict buffer ErrorBlock { uint errors[]; };
 
 void main() {
     uvec2 pixel;

@@ -11,8 +11,8 @@
 #include "pathtrace/path.glsl"
 #include "pathtrace/sky.glsl"
 
-layout(set = 2, binding = 0, scalar) restrict readonly buffer ArgumentBlock { vec4 arguments[]; };
-layout(set = 2, binding = 1, scalar) restrict writeonly buffer ResultBlock { vec4 results[]; };
+layout(set = 3, binding = 0, scalar) restrict readonly buffer ArgumentBlock { vec4 arguments[]; };
+layout(set = 3, binding = 1, scalar) restrict writeonly buffer ResultBlock { vec4 results[]; };
 
 void main() {
     const uint index = gl_WorkGroupID.x * 64u + gl_LocalInvocationIndex;

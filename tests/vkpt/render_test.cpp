@@ -136,7 +136,7 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
     gpu::FrameCommands commands(device);
     commands.begin();
     tracer.record(commands, {technique, features, false}, params, paths,
-                  renderer().technique()->samples_lights());
+                  renderer().technique()->samples_lights(), renderer().guiding().set());
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,

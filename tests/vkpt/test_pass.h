@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A compute shader of the tests that runs on the renderer's scene: sets 0 and 1 as the path tracer
-// bound them for the last frame, and buffers of its own in set 2.
+// A compute shader of the tests that runs on the renderer's scene: sets 0 to 2 as the path tracer
+// bound them for the last frame, and buffers of its own in set 3.
 #pragma once
 
 #include "refresh/vkpt/gpu/commands.h"
@@ -21,7 +21,7 @@ public:
     /// `name` as in test_shader_code; the scene's features are compiled in.
     TestPass(vkpt::VkptRenderer& renderer, const std::string& name);
 
-    /// Makes a buffer of set 2, holding these bytes or zeros; call in the order of the bindings.
+    /// Makes a buffer of set 3, holding these bytes or zeros; call in the order of the bindings.
     void add_buffer(std::span<const std::byte> bytes);
     void add_buffer(size_t bytes);
 

@@ -13,6 +13,9 @@ namespace vigil::vkpt {
 // clang-format off
 #define VIGIL_PASS_TABLE(ROW) \
     ROW(Upload,     "upload")     /* copies of what changed since the last frame */ \
+    ROW(Octree,     "octree")     /* this frame's octree from the last one's samples */ \
+    ROW(VlcDeduplicate, "vlc_deduplicate") /* different visible lights of each leaf */ \
+    ROW(VlcMerge,   "vlc_merge")  /* lights of neighbours joined, buckets made */ \
     ROW(Primary,    "primary")    /* camera rays */ \
     ROW(Direct,     "direct")     /* next event estimation at the primary hit */ \
     ROW(Indirect,   "indirect")   /* BRDF rays and next event estimation where they land */ \

@@ -31,8 +31,10 @@ std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
 
 } // namespace
 
-PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache)
-    : device_(device), cache_(cache), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache,
+                       VkDescriptorSetLayout guiding)
+    : device_(device), cache_(cache), guiding_layout_(guiding),
+      unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       frame_(device, sizeof(shader::FrameParams), gpu::MemoryUse::Device, "frame parameters",
              VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
       counters_(device, sizeof(shader::FrameCounters), gpu::MemoryUse::Device, "counters") {
@@ -41,8 +43,7 @@ PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cach
     const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
                                                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     technique_set_ = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
-    layout_ =
-        gpu::make_pipeline_layout(device, std::array{scene_set_.layout(), technique_set_.layout()});
+    layout_ = gpu::make_pipeline_layout(device, set_layouts());
     ltc_ = gpu::make_buffer(device, std::as_bytes(ltc_table()), "LTC table");
     accumulate_ = {device, layout_.get(), &cache, shader_code("accumulate"), {}, "accumulate"};
     exposure_pipeline_ = {device, layout_.get(), &cache, shader_code("exposure"), {}, "exposure"};
@@ -121,10 +122,11 @@ const PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& vari
 }
 
 void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
-                        const shader::FrameParams& params, uint32_t paths, bool samples_lights) {
+                        const shader::FrameParams& params, uint32_t paths, bool samples_lights,
+                        VkDescriptorSet guiding) {
     const Pipelines& made = pipelines(variant);
     const VkCommandBuffer buffer = commands.commands();
-    const std::array sets{scene_set_.handle(), technique_set_.handle()};
+    const std::array sets{scene_set_.handle(), technique_set_.handle(), guiding};
     vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
                             static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
     commands.upload(frame_, 0, gpu::bytes_of_value(params));

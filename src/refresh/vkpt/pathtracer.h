@@ -23,7 +23,9 @@ struct PathTracerVariant {
 
 class PathTracer {
 public:
-    PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache);
+    /// `guiding` is the layout of set 2.
+    PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache,
+               VkDescriptorSetLayout guiding);
 
     /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
     /// too small.
@@ -32,8 +34,10 @@ public:
     void bind(const Scene& scene, const LightTechnique& technique);
 
     /// Records the frame's passes from `primary` to `tonemap`, `paths` paths per pixel.
+    /// `guiding` is set 2.
     void record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
-                const shader::FrameParams& params, uint32_t paths, bool samples_lights);
+                const shader::FrameParams& params, uint32_t paths, bool samples_lights,
+                VkDescriptorSet guiding);
 
     glm::uvec2 size() const { return size_; }
     const gpu::Buffer& display() const { return display_; }
@@ -41,9 +45,9 @@ public:
     const gpu::Buffer& counters() const { return counters_; }
     const gpu::Buffer& primary_hits() const { return surfaces_; }
     VkPipelineLayout layout() const { return layout_.get(); }
-    /// Layouts of sets 0 and 1.
-    std::array<VkDescriptorSetLayout, 2> set_layouts() const {
-        return {scene_set_.layout(), technique_set_.layout()};
+    /// Layouts of sets 0, 1 and 2.
+    std::array<VkDescriptorSetLayout, 3> set_layouts() const {
+        return {scene_set_.layout(), technique_set_.layout(), guiding_layout_};
     }
     VkDescriptorSet scene_set() const { return scene_set_.handle(); }
     VkDescriptorSet technique_set() const { return technique_set_.handle(); }
@@ -57,6 +61,7 @@ private:
 
     const gpu::Device& device_;
     const gpu::PipelineCache& cache_;
+    VkDescriptorSetLayout guiding_layout_;
     glm::uvec2 size_{0, 0};
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
         display_, ltc_;

@@ -9,6 +9,7 @@
 #include "refresh/vkpt/frame_params.h"
 #include "world/level.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace vigil::vkpt {
@@ -32,7 +33,8 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface)
     : files_(files), surface_(surface), device_(device_options(), surface),
       pipeline_cache_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
                                                                        gpu::FrameCommands(device_)},
-      path_tracer_(device_, pipeline_cache_) {
+      guiding_(device_, &pipeline_cache_, frames_in_flight),
+      path_tracer_(device_, pipeline_cache_, guiding_.layout()) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -53,6 +55,16 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
     accumulated_ = 0;
     accumulation_key_.clear();
     ray_query_failed_ = false;
+    reset_guiding();
+}
+
+void VkptRenderer::reset_guiding() {
+    if (!scene_) return;
+    // A cube around the world, larger by odd fractions: few walls lie on the borders of its cells.
+    const Bounds& bounds = scene_->world_bounds();
+    const glm::vec3 extent = bounds.extent();
+    const float size = 1.0137f * std::max({extent.x, extent.y, extent.z, 1.0f});
+    guiding_.restart(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size);
 }
 
 refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
@@ -118,6 +130,12 @@ bool VkptRenderer::prepare_ray_query() {
     }
 }
 
+void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
+    if (!technique_->uses_guiding()) return;
+    guiding_.prepare(Guiding::options(path_tracer_.size()));
+    guiding_.record(commands, slot);
+}
+
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     shader::FrameParams params{};
     params.cvars = cvars().gpu_values();
@@ -134,7 +152,8 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     shader::FrameParams relevant = params;
     relevant.cvars.pt_exposure = relevant.cvars.pt_exposure_bias = 0.0f;
     relevant.cvars.pt_tonemap = relevant.cvars.pt_view = 0;
-    const uint64_t settings[] = {scene_->revision(), static_cast<uint64_t>(technique_id_),
+    const uint64_t settings[] = {scene_->revision(),
+                                 static_cast<uint64_t>(technique_id_),
                                  static_cast<uint64_t>(cvars()->pt_jitter),
                                  static_cast<uint64_t>(cvars()->pt_accumulate),
                                  static_cast<uint64_t>(cvars()->pt_spp),
@@ -158,7 +177,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         follow_trace_setting();
         rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
         rebind_ |= prepare_ray_query();
-        rebind_ |= technique_->prepare(scene_->lights());
+        rebind_ |= technique_->prepare({scene_->lights(), frame.view.origin});
         shader::FrameParams params = frame_params(frame);
         update_accumulation(params);
         if (rebind_) {
@@ -171,6 +190,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
             scene_->upload(commands);
             technique_->upload(commands);
         }
+        update_guiding(commands, slot);
 
         // Trace and finish the picture.
         const bool accumulating = cvars()->pt_accumulate != 0;
@@ -180,7 +200,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
             cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
         const PathTracerVariant variant{technique_id_, scene_->features(), use_ray_query()};
         path_tracer_.record(commands, variant, params, static_cast<uint32_t>(cvars()->pt_spp),
-                            technique_->samples_lights());
+                            technique_->samples_lights(), guiding_.set());
         ++accumulated_;
     }
     present(commands, frame);
@@ -269,7 +289,8 @@ void VkptRenderer::finish_slot(size_t slot) {
     times.frame = slot_frames_[slot];
     for (size_t pass = 0; pass < std::size(pass_names); ++pass) {
         const double milliseconds = frames_[slot].timer().milliseconds(static_cast<uint32_t>(pass));
-        if (milliseconds > 0.0) times.passes.push_back({std::string(pass_names[pass]), milliseconds});
+        if (milliseconds > 0.0)
+            times.passes.push_back({std::string(pass_names[pass]), milliseconds});
     }
     if (finished_times_.size() == max_finished_times) finished_times_.pop_front();
     finished_times_.push_back(std::move(times));

@@ -5,6 +5,7 @@
 
 #include "refresh/refresh.h"
 #include "refresh/vkpt/gpu/swapchain.h"
+#include "refresh/vkpt/guiding/guiding.h"
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/overlay.h"
 #include "refresh/vkpt/pathtracer.h"
@@ -35,6 +36,9 @@ public:
     PathTracer& path_tracer() { return path_tracer_; }
     Scene* scene() { return scene_.get(); }
     LightTechnique* technique() { return technique_.get(); }
+    Guiding& guiding() { return guiding_; }
+    /// The next frame begins with an empty octree and empty caches.
+    void reset_guiding();
     /// Radiance values so far that were not finite.
     uint32_t nonfinite_count() const;
 
@@ -44,6 +48,7 @@ private:
     glm::uvec2 picture_size() const;
     void resize(glm::uvec2 size);
     void select_technique(Technique technique);
+    void update_guiding(gpu::FrameCommands& commands, size_t slot);
     bool use_ray_query() const;
     void follow_trace_setting();
     bool prepare_ray_query();
@@ -57,6 +62,7 @@ private:
     gpu::Device device_;
     gpu::PipelineCache pipeline_cache_;
     std::array<gpu::FrameCommands, frames_in_flight> frames_;
+    Guiding guiding_;
     PathTracer path_tracer_;
     std::optional<gpu::Swapchain> swapchain_;
     std::optional<Overlay> overlay_;
@@ -74,7 +80,8 @@ private:
     uint64_t frame_number_ = 0;
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render
     std::vector<std::byte> accumulation_key_; // what the running mean depends on
-    std::array<uint64_t, frames_in_flight> slot_frames_{}; // which frame a slot of frames_ rendered last
+    std::array<uint64_t, frames_in_flight>
+        slot_frames_{}; // which frame a slot of frames_ rendered last
     std::deque<refresh::FrameTimes> finished_times_;
 };
 

@@ -3,7 +3,7 @@
 // They differ in the weight of a light.
 #pragma once
 
-#include "refresh/vkpt/light/growing_buffer.h"
+#include "refresh/vkpt/light/alias_buffer.h"
 #include "refresh/vkpt/light/technique.h"
 #include "shared/scene_types.h"
 
@@ -15,13 +15,13 @@ public:
     using Weight = float (*)(const shader::Light&);
     AliasTechnique(const TechniqueContext& context, Weight weight);
 
-    bool prepare(const LightSet& lights) override;
+    bool prepare(const LightFrame& frame) override;
     void upload(gpu::FrameCommands& commands) override { table_.upload(commands); }
     Bindings bindings() const override { return {&table_.buffer()}; }
 
 private:
     Weight weight_;
-    GrowingBuffer table_;
+    AliasBuffer table_;
     uint64_t revision_ = 0;
 };
 

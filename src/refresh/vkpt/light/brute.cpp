@@ -8,7 +8,7 @@ namespace {
 
 class Brute : public LightTechnique {
 public:
-    bool prepare(const LightSet&) override { return false; }
+    bool prepare(const LightFrame&) override { return false; }
     void upload(gpu::FrameCommands&) override {}
     Bindings bindings() const override { return {}; }
     bool samples_lights() const override { return false; }

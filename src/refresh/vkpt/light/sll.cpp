@@ -28,7 +28,8 @@ public:
         : lister_(context.lister), static_(context.device, "static light"),
           moving_(context.device, "moving light"), counts_(context.device, "light list counts") {}
 
-    bool prepare(const LightSet& lights) override {
+    bool prepare(const LightFrame& frame) override {
+        const LightSet& lights = frame.lights;
         bool renewed = false;
         const uint32_t first_moving = lights.static_count();
         if (!built_) {

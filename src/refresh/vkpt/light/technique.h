@@ -7,6 +7,7 @@
 #include "refresh/vkpt/gpu/commands.h"
 
 #include <array>
+#include <glm/glm.hpp>
 #include <memory>
 
 #include "shared/bindings.h"
@@ -20,13 +21,19 @@ namespace vigil::vkpt {
 
 class LightSet;
 
+/// What a technique is told about a frame.
+struct LightFrame {
+    const LightSet& lights;
+    glm::vec3 eye; // the camera's position
+};
+
 class LightTechnique {
 public:
     virtual ~LightTechnique() = default;
 
     /// Brings the technique's data to this frame's lights, on the host. Returns true if a buffer
     /// was made anew (the GPU is idle then), so that bindings must be written again.
-    virtual bool prepare(const LightSet& lights) = 0;
+    virtual bool prepare(const LightFrame& frame) = 0;
     /// Records the copies of what changed; after prepare.
     virtual void upload(gpu::FrameCommands& commands) = 0;
     /// Buffers by binding of set 1; null where there is none.
@@ -34,6 +41,8 @@ public:
     virtual Bindings bindings() const = 0;
     /// Whether next event estimation is of any use: false where rays find the lights.
     virtual bool samples_lights() const { return true; }
+    /// Whether its shader looks into the octree, which the renderer then brings to every frame.
+    virtual bool uses_guiding() const { return false; }
 };
 
 /// What techniques are made from: valid as long as the level is.

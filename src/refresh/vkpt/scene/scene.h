@@ -64,6 +64,8 @@ public:
     const SceneFeatures& features() const { return features_; }
     const SkyDescription& sky() const { return sky_; }
     const LightSet& lights() const { return lights_; }
+    /// Of the static world's triangles.
+    const Bounds& world_bounds() const { return placed_.front().bounds; }
     /// Grows whenever anything that a picture shows differs from the frame before.
     uint64_t revision() const { return revision_; }
     std::string describe() const;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The octree as the path tracer sees it (paper, section 6.3): finds the leaf whose cache a surface uses and the leaf that
+// its light sample goes to, in one walk from the root, and stores light samples.
+#ifndef VIGIL_GUIDING_OCTREE_GLSL
+#define VIGIL_GUIDING_OCTREE_GLSL
+
+#include "pathtrace/surface.glsl"
+#include "shared/guiding_types.h"
+#include "shared/octree.h"
+
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_HEADER, scalar) restrict readonly buffer GuidingHeaderBlock {
+    GuidingHeader guiding;
+};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_NODES, scalar) restrict readonly buffer OctreeBlock {
+    uint octree_node_count;
+    uint octree_nodes[];
+};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_LEAVES, scalar) restrict buffer LeafBlock { uint leaves[]; };
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_SAMPLES, scalar) restrict writeonly buffer LightSampleBlock {
+    uint light_samples[];
+};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_VLC, scalar) restrict readonly buffer VlcBlock { uint vlc_lights[]; };
+
+/// The leaves of a surface: the one it was in a frame ago, where its cache is, and the one it is in now, where
+/// its samples go. They are the same for what does not move.
+struct SurfaceLeaves {
+    uint cache;
+    uint samples;
+};
+
+uint leaf_word(uint array, uint width, uint leaf) { return array * (8u * guiding.node_capacity) + width * leaf; }
+
+/// Walks down from a node at `depth` to the leaf that holds a smallest cell.
+uint find_leaf(uint node, uint depth, uvec3 grid) {
+    for (; depth < OCTREE_MAX_DEPTH; ++depth) {
+        const uint word = octree_nodes[node];
+        const uint child = octree_child(grid, depth);
+        if (octree_is_leaf(word, child)) return octree_leaf(node, child);
+        node = octree_inner_child(word, child);
+    }
+    return 0u; // not reached: inner nodes lie above the smallest cells
+}
+
+/// Position of a surface a frame ago.
+vec3 previous_position(Surface surface) {
+    const vec3 local = instances[surface.instance].object_from_world * vec4(surface.position, 1.0);
+    return instances[surface.instance].previous_world_from_object * vec4(local, 1.0);
+}
+
+SurfaceLeaves find_leaves(Surface surface) {
+    const uvec3 now = octree_grid(surface.position, guiding.corner, guiding.scale);
+    if (!HAS_INSTANCES || surface.instance == 0u) {
+        const uint leaf = find_leaf(0u, 0u, now);
+        return SurfaceLeaves(leaf, leaf);
+    }
+    // Both walks are one until the paths part.
+    const uvec3 before = octree_grid(previous_position(surface), guiding.corner, guiding.scale);
+    uint node = 0u;
+    for (uint depth = 0u; depth < OCTREE_MAX_DEPTH; ++depth) {
+        const uint child = octree_child(now, depth);
+        if (octree_child(before, depth) != child)
+            return SurfaceLeaves(find_leaf(node, depth, before), find_leaf(node, depth, now));
+        const uint word = octree_nodes[node];
+        if (octree_is_leaf(word, child)) return SurfaceLeaves(octree_leaf(node, child), octree_leaf(node, child));
+        node = octree_inner_child(word, child);
+    }
+    return SurfaceLeaves(0u, 0u); // not reached
+}
+
+/// Stores a light sample, if the leaf has room; counts it in any case.
+void store_light_sample(uint leaf, uint light, bool visible) {
+    const uint number = atomicAdd(leaves[leaf_word(LEAF_COUNT, 1u, leaf)], 1u);
+    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    if (number >= leaves[storage + 1u]) return;
+    light_samples[leaves[storage] + number] = light | (visible ? LIGHT_SAMPLE_VISIBLE : 0u);
+}
+
+#endif

@@ -1,0 +1,58 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `octree`, step 1 (paper, section 6.2, "mark"): one invocation per old node decides which of its leaves are split and
+// whether it collapses. It also lists the leaves that have samples, and those that a cache can be made for.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "guiding/passes.glsl"
+
+layout(local_size_x = 64) in;
+
+/// Whether a leaf or one of its neighbours has samples.
+bool has_samples_near(uint leaf, uint count) {
+    if (count > 0u) return true;
+    if (settings.merge == 0u) return false;
+    const uint first = leaf_word(LEAF_NEIGHBOURS, 6u, leaf);
+    for (uint face = 0u; face < 6u; ++face) {
+        const uint neighbour = old_leaves[first + face];
+        if (neighbour != NONE && old_leaf_count(neighbour) > 0u) return true;
+    }
+    return false;
+}
+
+void main() {
+    const uint index = gl_GlobalInvocationID.x;
+    if (index >= old_node_count) return;
+    const uint node = old_nodes[index];
+    const uint depth = octree_unpack_cell(old_cells[index]).depth;
+
+    uint marks = 0u;
+    uint sum = 0u;
+    for (uint child = 0u; child < 8u; ++child) {
+        if (!octree_is_leaf(node, child)) continue;
+        const uint leaf = octree_leaf(index, child);
+        const uint count = old_leaf_count(leaf);
+        sum += count;
+        if (count > settings.split && depth + 1u < OCTREE_MAX_DEPTH) marks |= 1u << child;
+        // List it for the caches.
+        if (count > 0u) {
+            leaf_lists[atomicAdd(work.deduplicate_groups.x, 1u)] = leaf;
+            const uint room = old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf) + 1u];
+            if (count > room) atomicAdd(work.dropped, count - room);
+        }
+        if (has_samples_near(leaf, count)) {
+            leaf_lists[leaf_capacity() + atomicAdd(work.merge_groups.x, 1u)] = leaf;
+        } else {
+            const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+            old_leaves[cache] = 0u;
+            old_leaves[cache + 1u] = 0u;
+        }
+    }
+    if (sum > 0u) atomicAdd(work.samples, sum);
+    atomicMax(work.depth, depth + 1u);
+    if (index > 0u && (node & MARK_SPLITS) == OCTREE_ALL_LEAVES && sum < settings.collapse) {
+        marks = MARK_COLLAPSES;
+        atomicAdd(work.collapses, 1u);
+    }
+    plan[plan_marks(index)] = marks;
+}

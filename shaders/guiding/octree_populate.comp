@@ -1,0 +1,109 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `octree`, step 4 (paper, section 6.2, "augment" and "populate"): one invocation per child of a new node fills in its leaf: the
+// old leaf it comes from, whose cache it takes over, the neighbours beyond its faces, and room for samples.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "guiding/passes.glsl"
+#include "guiding/octree_demand.glsl"
+
+layout(local_size_x = 64) in;
+
+shared uint group_room; // samples of all leaves of this group
+shared uint group_first;
+
+/// The old leaf that a new leaf takes its cache from, and how many samples it is to expect.
+uint find_source(uint node, uint child, out uint demand) {
+    const uint source = plan[plan_source(node)];
+    if ((source & SOURCE_SPLIT) != 0u) {
+        const uint leaf = source & ~SOURCE_SPLIT;
+        demand = demand_of_part(old_leaf_count(leaf));
+        return leaf;
+    }
+    const uint old_node = old_nodes[source];
+    if (octree_is_leaf(old_node, child)) {
+        const uint leaf = octree_leaf(source, child);
+        demand = old_leaf_count(leaf);
+        return leaf;
+    }
+    // A collapsed node's leaf follows the child that saw most.
+    const uint collapsed = octree_inner_child(old_node, child);
+    uint most = octree_leaf(collapsed, 0u);
+    for (uint i = 1u; i < 8u; ++i) {
+        const uint leaf = octree_leaf(collapsed, i);
+        if (old_leaf_count(leaf) > old_leaf_count(most)) most = leaf;
+    }
+    demand = demand_of_collapsed(collapsed);
+    return most;
+}
+
+uint find_leaf(uvec3 grid) {
+    uint node = 0u;
+    for (uint depth = 0u; depth < OCTREE_MAX_DEPTH; ++depth) {
+        const uint child = octree_child(grid, depth);
+        if (octree_is_leaf(new_nodes[node], child)) return octree_leaf(node, child);
+        node = octree_inner_child(new_nodes[node], child);
+    }
+    return NONE; // not reached: nodes lie above the smallest cells
+}
+
+/// The leaf just beyond the centre of a face (-x +x -y +y -z +z), or NONE outside the root.
+uint find_neighbour(OctreeCell cell, uint face) {
+    const uint size = octree_cell_size(cell.depth);
+    const uint axis = face >> 1u;
+    uvec3 grid = cell.corner + size / 2u;
+    if ((face & 1u) == 0u) {
+        if (cell.corner[axis] == 0u) return NONE;
+        grid[axis] = cell.corner[axis] - 1u;
+    } else {
+        grid[axis] = cell.corner[axis] + size;
+        if (grid[axis] >> OCTREE_MAX_DEPTH != 0u) return NONE;
+    }
+    return find_leaf(grid);
+}
+
+void main() {
+    const uint node = gl_GlobalInvocationID.x >> 3u;
+    const uint child = gl_GlobalInvocationID.x & 7u;
+    const bool is_leaf = node < new_node_count && octree_is_leaf(new_nodes[node], child);
+    const uint leaf = octree_leaf(node, child);
+
+    // Divide the room for samples: what the leaves expect with a quarter to spare, as far as three quarters of the
+    // buffer go; the rest evenly, for surfaces that come into view.
+    uint room = 0u;
+    uint source = NONE;
+    if (is_leaf) {
+        uint demand;
+        source = find_source(node, child, demand);
+        const float wanted = 1.25 * float(work.demand);
+        const float divisible = 0.75 * float(header.sample_capacity);
+        const float share = wanted > divisible ? divisible / wanted : 1.0;
+        const uint leaves = 7u * new_node_count + 1u;
+        const uint rest = header.sample_capacity - uint(min(wanted, divisible));
+        room = uint(1.25 * share * float(demand)) + rest / leaves;
+    }
+    if (gl_LocalInvocationID.x == 0u) group_room = 0u;
+    barrier();
+    const uint before = room > 0u ? atomicAdd(group_room, room) : 0u;
+    barrier();
+    if (gl_LocalInvocationID.x == 0u) group_first = atomicAdd(work.sample_used, group_room);
+    barrier();
+    if (node >= new_node_count) return;
+
+    new_leaves[leaf_word(LEAF_COUNT, 1u, leaf)] = 0u;
+    if (!is_leaf) return;
+    const uint first = min(group_first + before, header.sample_capacity);
+    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    new_leaves[storage] = first;
+    new_leaves[storage + 1u] = min(room, header.sample_capacity - first); // sums of floats may overshoot by a few
+
+    new_leaves[leaf_word(LEAF_SOURCE, 1u, leaf)] = source;
+    const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+    const uint old_cache = leaf_word(LEAF_VLC, 2u, source);
+    new_leaves[cache] = old_leaves[old_cache];
+    new_leaves[cache + 1u] = old_leaves[old_cache + 1u];
+
+    const OctreeCell cell = octree_child_cell(octree_unpack_cell(new_cells[node]), child);
+    const uint neighbours = leaf_word(LEAF_NEIGHBOURS, 6u, leaf);
+    for (uint face = 0u; face < 6u; ++face) new_leaves[neighbours + face] = find_neighbour(cell, face);
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Buffers of the guiding passes. They make this frame's octree ("new") from that of the frame before ("old") and from the
+// samples that the path tracer put into its leaves; host side: refresh/vkpt/guiding/guiding.cpp.
+#ifndef VIGIL_GUIDING_PASSES_GLSL
+#define VIGIL_GUIDING_PASSES_GLSL
+
+#include "shared/guiding_types.h"
+#include "shared/octree.h"
+#include "shared/scene_types.h"
+
+layout(set = 0, binding = 0, scalar) restrict readonly buffer HeaderBlock { GuidingHeader header; };
+layout(set = 0, binding = 1, scalar) restrict readonly buffer OldNodeBlock {
+    uint old_node_count;
+    uint old_nodes[];
+};
+layout(set = 0, binding = 2, scalar) restrict readonly buffer OldCellBlock { uvec2 old_cells[]; };
+layout(set = 0, binding = 3, scalar) restrict buffer OldLeafBlock { uint old_leaves[]; };
+layout(set = 0, binding = 4, scalar) restrict buffer NewNodeBlock {
+    uint new_node_count;
+    uint new_nodes[];
+};
+layout(set = 0, binding = 5, scalar) restrict buffer NewCellBlock { uvec2 new_cells[]; };
+layout(set = 0, binding = 6, scalar) restrict buffer NewLeafBlock { uint new_leaves[]; };
+// What becomes of old nodes (plan_*), and where new ones come from (plan_source): four arrays, one word per node.
+layout(set = 0, binding = 7, scalar) restrict buffer PlanBlock { uint plan[]; };
+layout(set = 0, binding = 8, scalar) restrict buffer SampleBlock { uint light_samples[]; };
+layout(set = 0, binding = 9, scalar) restrict buffer VlcBlock { uint vlc_lights[]; };
+// Old leaves to work on: those to deduplicate, then, from leaf_capacity() on, those to merge.
+layout(set = 0, binding = 10, scalar) restrict buffer ListBlock { uint leaf_lists[]; };
+layout(set = 0, binding = 11, scalar) restrict buffer WorkBlock { GuidingWork work; };
+
+layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; };
+
+uint leaf_capacity() { return 8u * header.node_capacity; }
+
+/// Index of a leaf's first word in an array of `width` words per leaf that begins at LEAF_`array`.
+uint leaf_word(uint array, uint width, uint leaf) { return array * leaf_capacity() + width * leaf; }
+
+uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, 1u, leaf)]; }
+
+// Bits of a plan's marks: children to split, and whether the node itself collapses into a leaf.
+const uint MARK_SPLITS = 0xffu;
+const uint MARK_COLLAPSES = 0x100u;
+// A new node's source: an old node, or with this bit the old leaf that was split.
+const uint SOURCE_SPLIT = 0x80000000u;
+
+uint plan_marks(uint node) { return node; }
+uint plan_first_inner(uint node) { return header.node_capacity + node; } // new index of the first inner child
+uint plan_place(uint node) { return 2u * header.node_capacity + node; }  // new index of the node itself
+uint plan_source(uint new_node) { return 3u * header.node_capacity + new_node; }
+
+#endif

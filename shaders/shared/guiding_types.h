@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the guiding passes and the path tracer share: the header, the arrays of leaves, light samples, and the
+// settings and statistics of a frame. Scalar layout; the same text is C++ and GLSL.
+#ifndef VIGIL_SHARED_GUIDING_TYPES_H
+#define VIGIL_SHARED_GUIDING_TYPES_H
+
+#include "glsl.h"
+
+SHADER_BEGIN
+
+/// Written by the host when buffers are made or the octree starts anew.
+struct GuidingHeader {
+    vec3 corner;          // lowest corner of the root's cube, map units
+    float scale;          // smallest cells per map unit
+    uint node_capacity;   // inner nodes that a tree may have
+    uint sample_capacity; // light samples that fit
+    uint vlc_capacity;    // light ids that fit in all caches
+};
+
+/// Arrays by leaf, one after another in one buffer of words (structure of arrays). An array of w words per leaf that
+/// begins at word LEAF_X * leaf_capacity holds its leaf's words at w * leaf + 0 .. w - 1.
+SHADER_CONST uint LEAF_COUNT = 0u;       // 1 word: surface samples that fell into the leaf
+SHADER_CONST uint LEAF_STORAGE = 1u;     // 2 words: first light sample, room for how many
+SHADER_CONST uint LEAF_VLC = 3u;         // 2 words: first light id of the cache, number of buckets
+SHADER_CONST uint LEAF_VISIBLE = 5u;     // 1 word: different lights among the leaf's visible samples
+SHADER_CONST uint LEAF_NEIGHBOURS = 6u;  // 6 words: leaf beyond the faces -x +x -y +y -z +z, or NONE
+SHADER_CONST uint LEAF_SOURCE = 12u;     // 1 word: corresponding leaf of the tree before
+SHADER_CONST uint LEAF_WORDS = 13u;      // per leaf altogether
+
+/// A light sample: light id, and this bit if the light was seen.
+SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
+/// What is stored when there was no light to sample.
+SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x7fffffffu;
+
+/// A leaf's samples beyond this many are passed over, evenly.
+SHADER_CONST uint VLC_MOST_SAMPLES = 16384u;
+/// The hash table in shared memory: light ids, and buckets (ids with equal remainder).
+SHADER_CONST uint VLC_TABLE_SIZE = 2048u;
+SHADER_CONST uint VLC_TABLE_MOST_BUCKETS = 256u;
+/// Largest bucket (pt_vlc_bucket).
+SHADER_CONST uint VLC_LARGEST_BUCKET = 64u;
+
+/// Push constants of all passes.
+struct GuidingSettings {
+    uint split;        // a leaf with more samples is split
+    uint collapse;     // an inner node of eight leaves that have fewer together is collapsed
+    uint bucket;       // most lights in a bucket
+    uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
+    uint merge;        // 1: caches take over the lights of their neighbours
+#ifdef __cplusplus
+    bool operator==(const GuidingSettings&) const = default;
+#endif
+};
+
+/// Counted anew each frame: the passes begin with all of it 0 (but the group counts' y and z, which are 1).
+struct GuidingWork {
+    uvec3 deduplicate_groups; // indirect dispatches, one work group per entry of the lists below
+    uvec3 merge_groups;
+    uvec3 populate_groups;
+    uint vlc_used;      // light ids taken from the caches' buffer
+    uint sample_used;   // light samples' room given to leaves
+    uint demand;        // samples that the new leaves are expected to receive together
+    // Statistics of the frame that was rendered last, and of the trees made from it.
+    uint nodes;         // inner nodes
+    uint depth;         // of the deepest leaf
+    uint samples;       // surface samples
+    uint dropped;       // of them: light samples without room
+    uint sampled_leaves; // leaves with samples
+    uint cached_leaves; // leaves with a cache of at least one light
+    uint cached_lights; // their lights together
+    uint cached_buckets;
+    uint most_lights;   // in one cache
+    uint lights_left_out; // found by samples, but the table was full
+    uint splits;
+    uint collapses;
+    uint splits_refused; // the tree had no room for more nodes
+};
+
+SHADER_END
+#endif

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/guiding/guiding.h"
+
+#include "common/cvar.h"
+#include "refresh/vkpt/shader_library.h"
+#include "shared/bindings.h"
+#include "shared/octree.h"
+#include "shared/scene_types.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace vigil::vkpt {
+
+namespace {
+
+/// Bindings of the passes: shaders/guiding/passes.glsl.
+constexpr size_t pass_binding_count = 12;
+/// Words per node in the plan of a rebuild.
+constexpr uint64_t plan_words = 4;
+/// A work group per leaf must fit into one dimension of a dispatch, which Vulkan lets end at
+/// 65,535.
+constexpr uint32_t most_nodes = 8192, least_nodes = 64;
+/// Light ids per leaf that the caches have room for on average, with all nodes in use.
+constexpr uint64_t cache_words_per_leaf = shader::VLC_LARGEST_BUCKET;
+/// Light samples per pixel that there is room for. A frame stores two at most; the rest is for
+/// leaves that expect more than they get.
+constexpr uint64_t samples_per_pixel = 4;
+
+uint32_t scaled(int threshold, double factor, uint32_t least) {
+    return std::max(static_cast<uint32_t>(std::min(std::round(threshold * factor), 2e9)), least);
+}
+
+} // namespace
+
+Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, size_t slots)
+    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      header_buffer_(device, sizeof(shader::GuidingHeader), gpu::MemoryUse::Device,
+                     "guiding header"),
+      work_(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Device, "guiding work",
+            VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT) {
+    const std::vector<VkDescriptorType> lookup(GUIDING_BINDING_COUNT,
+                                               VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    const std::vector<VkDescriptorType> passes(pass_binding_count,
+                                               VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    for (Tree& tree : trees_) {
+        tree.lookup = gpu::DescriptorSet(device, lookup, unused_, "guiding look-up set");
+        tree.passes = gpu::DescriptorSet(device, passes, unused_, "guiding pass set");
+    }
+    for (size_t slot = 0; slot < slots; ++slot) {
+        statistics_.emplace_back(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Readback,
+                                 "guiding statistics");
+        std::memset(statistics_.back().mapped(), 0, sizeof(shader::GuidingWork));
+    }
+    pass_layout_ = gpu::make_pipeline_layout(device, std::array{trees_[0].passes.layout()});
+    const auto make = [&](const char* name) {
+        return gpu::ComputePipeline(device, pass_layout_.get(), cache, shader_code(name), {}, name);
+    };
+    mark_ = make("octree_mark");
+    rebuild_ = make("octree_rebuild");
+    renumber_ = make("octree_renumber");
+    populate_ = make("octree_populate");
+    deduplicate_ = make("vlc_deduplicate");
+    merge_ = make("vlc_merge");
+}
+
+Guiding::Options Guiding::options(glm::uvec2 picture_size) {
+    const double pixels = static_cast<double>(picture_size.x) * picture_size.y;
+    const double factor = pixels / (1920.0 * 1080.0) * static_cast<double>(cvars()->pt_oct_scale);
+    const auto bucket = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
+    Options options;
+    options.picture_size = picture_size;
+    options.settings.split = scaled(cvars()->pt_oct_split, factor, 4);
+    // A node must not collapse that would be split again at once.
+    options.settings.collapse =
+        std::min(scaled(cvars()->pt_oct_collapse, factor, 1), options.settings.split);
+    options.settings.bucket = bucket;
+    const float share = cvars()->pt_vlc_hysteresis * static_cast<float>(bucket);
+    options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
+    options.settings.merge = cvars()->pt_vlc_merge != 0 ? 1 : 0;
+    return options;
+}
+
+uint32_t Guiding::node_capacity(const Options& options) {
+    // Every node whose children are leaves holds `collapse` samples or vanishes; there are no more
+    // than two samples per pixel. Twice as many for the nodes above them, and again for those that
+    // still vanish.
+    const uint64_t samples = uint64_t{2} * options.picture_size.x * options.picture_size.y;
+    const uint64_t nodes = 4 * samples / std::max(options.settings.collapse, 1u);
+    return std::bit_ceil(
+        static_cast<uint32_t>(std::clamp<uint64_t>(nodes, least_nodes, most_nodes)));
+}
+
+bool Guiding::prepare(const Options& options) {
+    const bool fits = header_.node_capacity == node_capacity(options) &&
+                      options_.picture_size == options.picture_size;
+    options_ = options;
+    if (fits) return false;
+    device_.wait_idle();
+    make_buffers();
+    restart_ = true;
+    return true;
+}
+
+void Guiding::make_buffers() {
+    const uint64_t pixels = uint64_t{options_.picture_size.x} * options_.picture_size.y;
+    header_.node_capacity = node_capacity(options_);
+    const uint64_t nodes = header_.node_capacity, leaves = 8 * nodes;
+    header_.sample_capacity = static_cast<uint32_t>(std::max(samples_per_pixel * pixels, leaves));
+    header_.vlc_capacity = static_cast<uint32_t>(cache_words_per_leaf * leaves);
+    const auto make = [&](uint64_t words, const char* name) {
+        return gpu::Buffer(device_, words * sizeof(uint32_t), gpu::MemoryUse::Device, name);
+    };
+    for (Tree& tree : trees_) {
+        tree.nodes = make(1 + nodes, "octree nodes");
+        tree.cells = make(2 * nodes, "octree cells");
+        tree.leaves = make(shader::LEAF_WORDS * leaves, "octree leaves");
+    }
+    plan_ = make(plan_words * nodes, "octree plan");
+    samples_ = make(header_.sample_capacity, "light samples");
+    vlc_lights_ = make(header_.vlc_capacity, "light caches");
+    lists_ = make(2 * leaves, "leaf lists");
+    bind(trees_[0], trees_[1]);
+    bind(trees_[1], trees_[0]);
+}
+
+void Guiding::bind(Tree& from, const Tree& to) {
+    gpu::DescriptorSet& lookup = from.lookup;
+    lookup.bind(BINDING_GUIDING_HEADER, header_buffer_);
+    lookup.bind(BINDING_GUIDING_NODES, from.nodes);
+    lookup.bind(BINDING_GUIDING_LEAVES, from.leaves);
+    lookup.bind(BINDING_GUIDING_SAMPLES, samples_);
+    lookup.bind(BINDING_GUIDING_VLC, vlc_lights_);
+    gpu::DescriptorSet& passes = from.passes;
+    const std::array<const gpu::Buffer*, pass_binding_count> buffers{
+        &header_buffer_, &from.nodes, &from.cells, &from.leaves, &to.nodes, &to.cells,
+        &to.leaves,      &plan_,      &samples_,   &vlc_lights_, &lists_,   &work_};
+    for (uint32_t i = 0; i < buffers.size(); ++i)
+        passes.bind(i, *buffers[i]);
+}
+
+void Guiding::restart(const glm::vec3& corner, float size) {
+    header_.corner = corner;
+    header_.scale = static_cast<float>(shader::octree_cell_size(0)) / std::max(size, 1e-3f);
+    restart_ = true;
+}
+
+void Guiding::upload_start(gpu::FrameCommands& commands) {
+    const Tree& tree = trees_[current_];
+    commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
+    const uint32_t nodes[] = {1, shader::octree_node(shader::OCTREE_ALL_LEAVES, 0)};
+    commands.upload(tree.nodes, 0, gpu::bytes_of(nodes));
+    const glm::uvec2 root = shader::octree_pack_cell({glm::uvec3(0), 0});
+    commands.upload(tree.cells, 0, gpu::bytes_of_value(root));
+    // Eight leaves without samples, caches and neighbours.
+    const auto fill = [&](uint32_t array, uint32_t width, uint32_t value) {
+        const std::vector<uint32_t> words(size_t{8} * width, value);
+        commands.upload(tree.leaves, uint64_t{array} * 8 * header_.node_capacity * sizeof(uint32_t),
+                        gpu::bytes_of(words));
+    };
+    fill(shader::LEAF_COUNT, 1, 0);
+    fill(shader::LEAF_STORAGE, 2, 0);
+    fill(shader::LEAF_VLC, 2, 0);
+    fill(shader::LEAF_VISIBLE, 1, 0);
+    fill(shader::LEAF_NEIGHBOURS, 6, shader::NONE);
+    fill(shader::LEAF_SOURCE, 1, 0);
+    restart_ = false;
+}
+
+void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
+    if (restart_) upload_start(commands);
+    shader::GuidingWork start{};
+    start.deduplicate_groups = start.merge_groups = start.populate_groups = {0, 1, 1};
+    commands.upload(work_, 0, gpu::bytes_of_value(start));
+    const VkCommandBuffer buffer = commands.commands();
+    gpu::full_barrier(buffer);
+
+    const VkDescriptorSet set = trees_[current_].passes.handle();
+    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, pass_layout_.get(), 0, 1, &set,
+                            0, nullptr);
+    vkCmdPushConstants(buffer, pass_layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                       sizeof(options_.settings), &options_.settings);
+    const uint32_t node_groups = (header_.node_capacity + 63) / 64;
+    const auto run = [&](const gpu::ComputePipeline& pipeline, uint32_t groups) {
+        pipeline.bind(buffer);
+        vkCmdDispatch(buffer, groups, 1, 1);
+        gpu::full_barrier(buffer);
+    };
+    const auto run_indirect = [&](const gpu::ComputePipeline& pipeline, size_t groups) {
+        pipeline.bind(buffer);
+        vkCmdDispatchIndirect(buffer, work_.handle(), groups);
+        gpu::full_barrier(buffer);
+    };
+    {
+        const PassScope scope(device_, commands, Pass::Octree);
+        run(mark_, node_groups);
+    }
+    {
+        const PassScope scope(device_, commands, Pass::VlcDeduplicate);
+        run_indirect(deduplicate_, offsetof(shader::GuidingWork, deduplicate_groups));
+    }
+    {
+        const PassScope scope(device_, commands, Pass::VlcMerge);
+        run_indirect(merge_, offsetof(shader::GuidingWork, merge_groups));
+    }
+    {
+        const PassScope scope(device_, commands, Pass::Octree);
+        run(rebuild_, 1);
+        run(renumber_, node_groups);
+        run_indirect(populate_, offsetof(shader::GuidingWork, populate_groups));
+    }
+    const VkBufferCopy copy{0, 0, sizeof(shader::GuidingWork)};
+    vkCmdCopyBuffer(buffer, work_.handle(), statistics_[slot].handle(), 1, &copy);
+    current_ = 1 - current_;
+}
+
+shader::GuidingWork Guiding::statistics(size_t slot) const {
+    return statistics_[slot].mapped_as<shader::GuidingWork>()[0];
+}
+
+uint64_t Guiding::memory_bytes() const {
+    uint64_t bytes = 0;
+    for (const Tree& tree : trees_)
+        bytes += tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes();
+    for (const gpu::Buffer* buffer :
+         {&header_buffer_, &plan_, &samples_, &vlc_lights_, &lists_, &work_})
+        bytes += buffer->bytes();
+    return bytes;
+}
+
+} // namespace vigil::vkpt

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the path tracer learns from one frame for the next (paper, sections 4 and 6): the octree
+// over surface samples, the light samples stored in its leaves, and the Visibility Light Caches
+// made from them. Owns the buffers and records the passes of shaders/guiding. It knows buffers,
+// positions and light ids; nothing of levels or lights.
+#pragma once
+
+#include "refresh/vkpt/gpu/pipeline.h"
+#include "refresh/vkpt/passes.h"
+#include "shared/guiding_types.h"
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace vigil::vkpt {
+
+class Guiding {
+public:
+    /// `cache` may be null. `slots` is the number of frames in flight.
+    Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, size_t slots);
+
+    /// What sizes and thresholds depend on.
+    struct Options {
+        glm::uvec2 picture_size{0, 0};
+        shader::GuidingSettings settings{};
+        bool operator==(const Options&) const = default;
+    };
+    /// Options from the variables. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080
+    /// pixels: they follow the number of pixels, and pt_oct_scale.
+    static Options options(glm::uvec2 picture_size);
+    /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
+    /// surface samples.
+    static uint32_t node_capacity(const Options& options);
+
+    /// Makes room: buffers depend on the options, not on the number of lights. Returns true if they
+    /// were made anew: the octree starts anew then, and the GPU is idle.
+    bool prepare(const Options& options);
+    /// Forgets everything: the next record() begins with the root subdivided once and without
+    /// samples. `corner` and `size` are the root's cube, in map units.
+    void restart(const glm::vec3& corner, float size);
+    /// Records the passes that make this frame's octree and caches from the samples of the frame
+    /// before. Afterwards set() is the new tree's. `slot` is that of the frame in flight.
+    void record(gpu::FrameCommands& commands, size_t slot);
+    /// What the frame counted that was recorded last in `slot`; after its fence.
+    shader::GuidingWork statistics(size_t slot) const;
+
+    /// Set 2 of the path tracer: look-ups and storing samples (shaders/guiding/octree.glsl).
+    VkDescriptorSetLayout layout() const { return trees_[0].lookup.layout(); }
+    VkDescriptorSet set() const { return trees_[current_].lookup.handle(); }
+
+    uint64_t memory_bytes() const;
+
+    // What tests read and write: the tree that the next record() starts from (after it: the one it
+    // made).
+    struct Tree {
+        gpu::Buffer nodes;  // number of inner nodes, then the nodes (octree_node)
+        gpu::Buffer cells;  // their cubes (octree_pack_cell), 2 words each
+        gpu::Buffer leaves; // LEAF_WORDS arrays of 8 * node_capacity leaves
+        gpu::DescriptorSet lookup;
+        gpu::DescriptorSet passes; // of a record() that starts from this tree
+    };
+    const Tree& tree() const { return trees_[current_]; }
+    const gpu::Buffer& samples() const { return samples_; }
+    const gpu::Buffer& vlc_lights() const { return vlc_lights_; }
+    const gpu::Buffer& work() const { return work_; }
+    const shader::GuidingHeader& header() const { return header_; }
+
+private:
+    void make_buffers();
+    void bind(Tree& from, const Tree& to);
+    void upload_start(gpu::FrameCommands& commands);
+
+    const gpu::Device& device_;
+    gpu::Buffer unused_;
+    std::array<Tree, 2> trees_;
+    size_t current_ = 0;
+    gpu::Buffer header_buffer_, plan_, samples_, vlc_lights_, lists_, work_;
+    std::vector<gpu::Buffer> statistics_;
+    gpu::Handle<VkPipelineLayout> pass_layout_;
+    gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, renumber_, populate_;
+    Options options_;
+    shader::GuidingHeader header_{};
+    bool restart_ = true;
+};
+
+} // namespace vigil::vkpt
