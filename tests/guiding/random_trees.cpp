@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// See random_trees.h.
+#include "random_trees.h"
+
+#include "shared/octree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vigil::test {
+namespace {
+
+/// Counts of eight children that make `sum` together.
+std::vector<uint32_t> shares(Dice& dice, uint32_t sum) {
+    std::vector<uint32_t> counts(8);
+    for (int child = 0; child < 7; ++child) {
+        counts[child] = dice.chance(0.5) ? 0 : dice.below(sum / 2 + 1);
+        sum -= counts[child];
+    }
+    counts[7] = sum;
+    dice.shuffle(counts);
+    return counts;
+}
+
+/// Counts of a node's children, near the thresholds.
+std::vector<uint32_t> random_counts(Dice& dice, const shader::GuidingSettings& settings) {
+    switch (dice.below(5)) {
+    case 0:
+        return std::vector<uint32_t>(8);
+    case 1: // collapses, barely
+        return shares(dice, settings.collapse - 1);
+    case 2: // does not, barely
+        return shares(dice, settings.collapse);
+    default:
+        break;
+    }
+    const std::array<uint32_t, 6> likely{0,
+                                         dice.below(settings.collapse),
+                                         settings.split,
+                                         settings.split + 1,
+                                         settings.split + 1,
+                                         1 + dice.below(2 * settings.split)};
+    std::vector<uint32_t> counts(8);
+    for (uint32_t& count : counts)
+        count = likely[dice.below(likely.size())];
+    return counts;
+}
+
+} // namespace
+
+InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep) {
+    InnerNodes inner{""};
+    std::vector<Path> leaves = leaves_of(inner);
+    while (inner.size() < nodes) {
+        const auto count = static_cast<uint32_t>(leaves.size());
+        const uint32_t at = dice.chance(deep) ? count - 1 - dice.below(8) : dice.below(count);
+        const Path chosen = leaves[at];
+        if (chosen.size() >= shader::OCTREE_MAX_DEPTH) {
+            dice.shuffle(leaves);
+            continue;
+        }
+        leaves.erase(leaves.begin() + at);
+        inner.insert(chosen);
+        for (int child = 0; child < 8; ++child)
+            leaves.push_back(child_of(chosen, child));
+    }
+    return inner;
+}
+
+uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t first,
+                             uint32_t different) {
+    if (dice.chance(0.05)) return shader::LIGHT_SAMPLE_NONE;
+    // Some lights are never seen, others always.
+    const uint32_t which = dice.below(different);
+    const bool visible = which % 7 != 3 && dice.chance(lights.visible);
+    const uint32_t id = first - lights.stride * which;
+    return visible ? id | shader::LIGHT_SAMPLE_VISIBLE : id;
+}
+
+TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights& lights,
+                         const shader::GuidingSettings& settings, uint32_t sample_capacity) {
+    TreeState state;
+    state.inner = inner;
+    for (const Path& node : inner) {
+        const std::vector<uint32_t> counts = random_counts(dice, settings);
+        for (int child = 0; child < 8; ++child)
+            if (const Path leaf = child_of(node, child); !inner.contains(leaf))
+                state.leaves[leaf].count = counts[child];
+    }
+
+    // Ranges lie in any order in the buffer, with gaps; at its end there is room for nothing.
+    std::vector<Path> order = leaves_of(inner);
+    dice.shuffle(order);
+    state.samples.resize(sample_capacity);
+    for (uint32_t& sample : state.samples)
+        sample = dice.word() | shader::LIGHT_SAMPLE_VISIBLE;
+    uint32_t used = 0;
+    for (const Path& path : order) {
+        LeafState& leaf = state.leaves.at(path);
+        const std::array<uint32_t, 4> rooms{leaf.count, leaf.count + dice.below(10), leaf.count / 2,
+                                            0};
+        // Few leaves lose samples.
+        leaf.room = rooms[dice.chance(0.8) ? dice.below(2) : dice.below(4)];
+        leaf.first_sample = used + (dice.chance(0.1) ? dice.below(10) : 0);
+        leaf.first_sample = std::min(leaf.first_sample, sample_capacity);
+        leaf.room = std::min(leaf.room, sample_capacity - leaf.first_sample);
+        used = leaf.first_sample + leaf.room;
+        leaf.buckets = dice.chance(0.3) ? 0 : 1u << dice.below(7);
+
+        const uint32_t different = lights.fewest + dice.below(lights.most - lights.fewest + 1);
+        const uint32_t first = lights.largest - lights.stride * (lights.fewest * dice.below(4));
+        for (uint32_t i = 0; i < leaf.kept(); ++i)
+            state.samples[leaf.first_sample + i] =
+                random_light_sample(dice, lights, first, different);
+    }
+    return state;
+}
+
+} // namespace vigil::test

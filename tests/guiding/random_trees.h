@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Random frames for the guiding passes: trees, and samples in their leaves that make them split,
+// collapse, overflow and collide. Counts prefer the thresholds, since that is where a pass goes
+// wrong. Nothing here resembles a level.
+#pragma once
+
+#include "dice.h"
+#include "octree_oracle.h"
+#include "shared/guiding_types.h"
+
+#include <algorithm>
+
+namespace vigil::test {
+
+/// `nodes` inner nodes. `deep`: share of subdivisions that go on in a leaf of the node before.
+InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep);
+
+/// What the path tracer left in a leaf, and the cache that the leaf has.
+struct LeafState {
+    uint32_t count = 0; // surface samples that fell into it
+    uint32_t first_sample = 0;
+    uint32_t room = 0; // only so many of the samples are stored
+    uint32_t first_light = 0;
+    uint32_t buckets = 0;
+    uint32_t kept() const { return std::min(count, room); }
+};
+
+/// A tree after a frame was rendered with it.
+struct TreeState {
+    InnerNodes inner;
+    ByPath<LeafState> leaves;
+    std::vector<uint32_t> samples; // the whole buffer; garbage where no leaf has a sample
+};
+
+/// Which light ids samples have. A leaf draws its `lights` from one of four ranges, so that
+/// neighbours share some.
+struct RandomLights {
+    uint32_t fewest = 1; // different lights in a leaf
+    uint32_t most = 40;
+    uint32_t stride = 1; // between ids
+    uint32_t largest = 0x7ffffffe;
+    double visible = 0.5; // share of visible samples
+};
+
+/// Random samples for every leaf of `inner`, and random room and caches.
+TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights& lights,
+                         const shader::GuidingSettings& settings, uint32_t sample_capacity);
+
+/// One random sample out of `lights`.
+uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t first,
+                             uint32_t different);
+
+} // namespace vigil::test

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// See vlc_oracle.h. Every function follows its definition word by word; none of them is fast.
+#include "vlc_oracle.h"
+
+#include "shared/guiding_types.h"
+
+#include <algorithm>
+
+namespace vigil::test {
+namespace {
+
+/// Largest power of two that is not above `value`, which is at least 1.
+uint32_t power_below(uint32_t value) {
+    uint32_t power = 1;
+    while (power <= value / 2)
+        power *= 2;
+    return power;
+}
+
+/// Smallest power of two that is not below `value`.
+uint32_t power_above(uint32_t value) {
+    uint32_t power = 1;
+    while (power < value)
+        power *= 2;
+    return power;
+}
+
+std::set<uint32_t> visible_lights(std::span<const uint32_t> kept) {
+    const Stride stride = sample_stride(kept.size(), shader::VLC_MOST_SAMPLES);
+    std::set<uint32_t> lights;
+    for (size_t i = 0; i < stride.processed; ++i) {
+        const uint32_t sample = kept[i * stride.step];
+        if (sample >= shader::LIGHT_SAMPLE_VISIBLE)
+            lights.insert(sample - shader::LIGHT_SAMPLE_VISIBLE);
+    }
+    return lights;
+}
+
+/// A hash table that keeps the smallest ids of a full bucket.
+Buckets fill_table(const std::set<uint32_t>& lights, uint32_t buckets, uint32_t bucket_size,
+                   bool& left_out) {
+    Buckets table(buckets);
+    for (const uint32_t light : lights) {
+        std::set<uint32_t>& bucket = table[light % buckets];
+        bucket.insert(light);
+        if (bucket.size() > bucket_size) {
+            bucket.erase(std::prev(bucket.end()));
+            left_out = true;
+        }
+    }
+    return table;
+}
+
+std::set<uint32_t> lights_in(const Buckets& table) {
+    std::set<uint32_t> lights;
+    for (const std::set<uint32_t>& bucket : table)
+        lights.insert(bucket.begin(), bucket.end());
+    return lights;
+}
+
+/// Halves the number of buckets while the merged ones hold what they have to.
+Buckets merge_buckets(Buckets table, uint32_t previous_buckets, const CacheLimits& limits) {
+    while (table.size() > 1) {
+        const size_t half = table.size() / 2;
+        const uint32_t limit = half < previous_buckets ? limits.small_bucket : limits.bucket;
+        Buckets merged(half);
+        size_t fullest = 0;
+        for (size_t i = 0; i < half; ++i) {
+            merged[i] = table[i];
+            merged[i].insert(table[i + half].begin(), table[i + half].end());
+            fullest = std::max(fullest, merged[i].size());
+        }
+        if (fullest > limit) break;
+        table = merged;
+    }
+    return table;
+}
+
+} // namespace
+
+Stride sample_stride(size_t kept, size_t most) {
+    if (kept <= most) return {1, kept};
+    return {kept / most, most};
+}
+
+uint32_t table_buckets(uint32_t entries, uint32_t bucket) {
+    const uint32_t wanted = (4 * entries + bucket - 1) / bucket;
+    const uint32_t most =
+        power_below(std::min(shader::VLC_TABLE_MOST_BUCKETS, shader::VLC_TABLE_SIZE / bucket));
+    return std::min(power_above(wanted), most);
+}
+
+Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
+                   const CacheLimits& limits) {
+    Caches caches;
+
+    // Deduplicate each leaf's samples.
+    for (const auto& [leaf, leaf_samples] : samples) {
+        const auto kept = static_cast<uint32_t>(leaf_samples.kept.size());
+        const uint32_t processed = std::min(kept, shader::VLC_MOST_SAMPLES);
+        const Buckets table =
+            fill_table(visible_lights(leaf_samples.kept), table_buckets(processed, limits.bucket),
+                       limits.bucket, caches.lights_left_out);
+        caches.by_leaf[leaf].own = lights_in(table);
+    }
+
+    // All caches together fit in the buffer, even if every leaf used its quota.
+    const auto leaves = static_cast<uint32_t>(7 * inner.size() + 1);
+    const uint32_t quota =
+        power_below(std::max(1u, limits.vlc_capacity / (limits.bucket * leaves)));
+
+    for (auto& [leaf, cache] : caches.by_leaf) {
+        // Merge with the neighbours' lights.
+        std::set<uint32_t> lights = cache.own;
+        size_t entries = cache.own.size();
+        for (int face = 0; face < 6 && limits.merge; ++face) {
+            const std::optional<Path> neighbour = neighbour_of(inner, leaf, face);
+            if (!neighbour) continue;
+            const std::set<uint32_t>& others = caches.by_leaf.at(*neighbour).own;
+            lights.insert(others.begin(), others.end());
+            entries += others.size();
+        }
+        if (lights.empty()) continue;
+        const uint32_t buckets =
+            std::min(table_buckets(static_cast<uint32_t>(entries), limits.bucket), quota);
+        const Buckets table = fill_table(lights, buckets, limits.bucket, caches.lights_left_out);
+
+        // Merge buckets, bottom-up.
+        cache.buckets = merge_buckets(table, samples.at(leaf).previous_buckets, limits);
+    }
+    return caches;
+}
+
+} // namespace vigil::test

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The construction of Visibility Light Caches as the paper describes it (section 4.1 and the bucket
+// merging of 4.2), for tests: sets of light ids. Where the passes must drop lights (a full table, a
+// full buffer), this drops those that the passes promise to drop, the largest ids of a bucket. It
+// knows nothing of work groups and shared memory.
+#pragma once
+
+#include "octree_oracle.h"
+
+#include <span>
+
+namespace vigil::test {
+
+/// Lights of one cache: bucket b holds those whose id leaves the remainder b.
+using Buckets = std::vector<std::set<uint32_t>>;
+
+struct CacheLimits {
+    uint32_t bucket;       // most lights in a bucket
+    uint32_t small_bucket; // the same where there would be fewer buckets than in the frame before
+    bool merge;            // take over neighbours' lights
+    uint32_t vlc_capacity; // light ids that fit in all caches
+};
+
+/// What is known of a leaf before its cache is made.
+struct LeafSamples {
+    std::span<const uint32_t> kept; // as stored: id and LIGHT_SAMPLE_VISIBLE
+    uint32_t previous_buckets = 0;  // of the leaf's cache in the frame before
+};
+
+struct Cache {
+    std::set<uint32_t> own; // different lights that the leaf's samples saw
+    Buckets buckets;        // own and neighbours' lights; none if there are no lights
+};
+
+struct Caches {
+    ByPath<Cache> by_leaf;
+    bool lights_left_out = false; // a table was full
+};
+
+/// Caches of all leaves of a tree. `samples` has an entry for every leaf.
+Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
+                   const CacheLimits& limits);
+
+/// Every how many of `kept` samples one is looked at, and how many are, at most `most`.
+struct Stride {
+    size_t step, processed;
+};
+Stride sample_stride(size_t kept, size_t most);
+
+/// Buckets of the hash table for `entries` light ids that are expected to come in.
+uint32_t table_buckets(uint32_t entries, uint32_t bucket);
+
+} // namespace vigil::test
