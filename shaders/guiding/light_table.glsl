@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A set of light ids in shared memory (paper, section 4.1): a hash table of buckets, where a bucket holds the ids with equal remainder,
-// ascending. Work groups fill it together; the result does not depend on the order in which they do: a full bucket
-// keeps its smallest ids.
+// A set of light ids in shared memory (paper, section 4.1): a hash table whose buckets hold the ids with equal remainder. Ids are ordered
+// by their bits from the lowest on, that is by their reversal, the key: for any power of two, ids with equal remainder
+// then follow each other, so joining buckets is joining neighbours, and stays sorted. Work groups fill the
+// table together; the result does not depend on the order in which they do: a full bucket keeps its smallest keys.
 #ifndef VIGIL_GUIDING_LIGHT_TABLE_GLSL
 #define VIGIL_GUIDING_LIGHT_TABLE_GLSL
 
 #include "guiding/passes.glsl"
 
-const uint LANES = 64u;
-layout(local_size_x = LANES) in;
+// The host makes a work group one subgroup, whatever that is: barriers are cheap then, and most tables small.
+layout(local_size_x_id = 0) in;
+const uint LANES = gl_WorkGroupSize.x;
 
-shared uint table[VLC_TABLE_SIZE]; // bucket after bucket of settings.bucket slots; NONE: free
+shared uint table[VLC_TABLE_SIZE];          // keys, bucket after bucket of settings.bucket slots; NONE: free
+shared uint sizes[VLC_TABLE_MOST_BUCKETS]; // ids per bucket
 
 /// Largest power of two that is at most `value`, which is at least 1.
 uint power_of_two_below(uint value) { return 1u << uint(findMSB(value)); }
 
-/// Number of buckets for a set made from `count` ids: four times the room that they need at most.
+/// Number of buckets for a set made from `count` ids: half as much room again as they need, at least, as buckets do not
+/// fill evenly.
 uint table_bucket_count(uint count) {
-    const uint wanted = max((4u * count + settings.bucket - 1u) / settings.bucket, 1u);
+    const uint wanted = max((3u * count + 2u * settings.bucket - 1u) / (2u * settings.bucket), 1u);
     const uint most = power_of_two_below(min(VLC_TABLE_MOST_BUCKETS, VLC_TABLE_SIZE / settings.bucket));
     return wanted >= most ? most : 1u << uint(findMSB(2u * wanted - 1u));
 }
@@ -25,31 +29,36 @@ uint table_bucket_count(uint count) {
 /// Empties the first `buckets` buckets. The caller puts barriers before and after.
 void table_clear(uint buckets) {
     for (uint slot = gl_LocalInvocationID.x; slot < buckets * settings.bucket; slot += LANES) table[slot] = NONE;
+    for (uint bucket = gl_LocalInvocationID.x; bucket < buckets; bucket += LANES) sizes[bucket] = 0u;
 }
 
-/// Adds an id, unless it is there. Each slot keeps the smallest id that reaches it and hands on the others: after all
-/// insertions slot k holds the k-th smallest id of its bucket.
+uint key_of(uint id) { return bitfieldReverse(id); }
+uint id_of(uint key) { return bitfieldReverse(key); }
+
+/// First bits of a key: the bucket that it belongs to if there are `buckets`.
+uint bucket_of(uint key, uint buckets) { return (key >> 1u) >> (31 - findMSB(buckets)); }
+
+/// Adds an id, unless it is there. Each slot keeps the smallest key that reaches it and hands on the others: after all
+/// insertions slot k holds the k-th smallest key of its bucket.
 void table_insert(uint buckets, uint id) {
-    const uint first = (id & (buckets - 1u)) * settings.bucket;
+    uint key = key_of(id);
+    const uint bucket = bucket_of(key, buckets);
+    const uint first = bucket * settings.bucket;
     const uint end = first + settings.bucket;
     for (uint slot = first; slot < end; ++slot) {
         uint seen = table[slot];
-        if (seen == id) return;
-        if (seen > id) {
-            seen = atomicMin(table[slot], id);
-            if (seen == id || seen == NONE) return;
-            id = max(id, seen);
+        if (seen == key) return;
+        if (seen > key) {
+            seen = atomicMin(table[slot], key);
+            if (seen == key) return;
+            if (seen == NONE) {
+                atomicAdd(sizes[bucket], 1u);
+                return;
+            }
+            key = max(key, seen);
         }
     }
     atomicAdd(work.lights_left_out, 1u);
-}
-
-/// Number of ids in a bucket.
-uint table_bucket_size(uint bucket) {
-    const uint first = bucket * settings.bucket;
-    uint size = 0u;
-    while (size < settings.bucket && table[first + size] != NONE) ++size;
-    return size;
 }
 
 #endif

@@ -92,6 +92,7 @@ void main() {
 
     new_leaves[leaf_word(LEAF_COUNT, 1u, leaf)] = 0u;
     if (!is_leaf) return;
+    new_leaves[leaf_word(LEAF_VISIBLE, 1u, leaf)] = 0u; // until samples are deduplicated
     const uint first = min(group_first + before, header.sample_capacity);
     const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
     new_leaves[storage] = first;

@@ -26,8 +26,10 @@ void main() {
         if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) table_insert(buckets, light_sample & ~LIGHT_SAMPLE_VISIBLE);
     }
     barrier();
-    for (uint slot = lane; slot < buckets * settings.bucket; slot += LANES)
-        if (table[slot] != NONE) light_samples[first + atomicAdd(found, 1u)] = table[slot];
+    for (uint bucket = lane; bucket < buckets; bucket += LANES) {
+        const uint list = first + atomicAdd(found, sizes[bucket]);
+        for (uint i = 0u; i < sizes[bucket]; ++i) light_samples[list + i] = id_of(table[bucket * settings.bucket + i]);
+    }
     barrier();
     if (lane != 0u) return;
     old_leaves[leaf_word(LEAF_VISIBLE, 1u, leaf)] = found;

@@ -6,107 +6,95 @@
 #include "shared/extensions.glsl"
 #include "guiding/light_table.glsl"
 
-shared uint sizes[VLC_TABLE_MOST_BUCKETS]; // lights per bucket of the table; then per bucket of the cache
-shared uint fits;
-shared uint cache_first;
+// The lists that are joined: the leaf's own and its neighbours'.
+const uint LISTS = 7u;
+shared uint list_first[LISTS];
+shared uint list_length[LISTS];
+
+shared uint too_full; // a power of two is set if there cannot be that few buckets
 shared uint lights;
+shared uint cache_first;
 
-/// Lights that are in leaf's list and, with merging, in its neighbours' lists: list 0 is its own.
-uint listed_leaf(uint leaf, uint list) {
-    if (list == 0u) return leaf;
-    return settings.merge != 0u ? old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + list - 1u] : NONE;
+/// Looks up the list of one lane: the leaf's own in lane 0, a neighbour's in the next six.
+void find_list(uint leaf, uint lane) {
+    if (lane >= LISTS) return;
+    uint owner = leaf;
+    if (lane > 0u) owner = settings.merge != 0u ? old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + lane - 1u] : NONE;
+    list_length[lane] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
+    list_first[lane] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, 2u, owner)];
 }
 
-/// Length of a leaf's list of visible lights; only leaves with samples have one.
-uint list_length(uint leaf) {
-    if (leaf == NONE || old_leaf_count(leaf) == 0u) return 0u;
-    return old_leaves[leaf_word(LEAF_VISIBLE, 1u, leaf)];
+/// Ids in the buckets first .. end - 1 of the table.
+uint joined_size(uint first, uint end) {
+    uint size = 0u;
+    for (uint bucket = first; bucket < end; ++bucket) size += sizes[bucket];
+    return size;
 }
 
-/// Joins buckets i and i + half while none gets more lights than it may hold; returns their number.
-uint merge_buckets(uint buckets, uint buckets_before) {
-    const uint lane = gl_LocalInvocationID.x;
-    while (buckets > 1u) {
-        const uint half_count = buckets / 2u;
-        const uint limit = half_count < buckets_before ? settings.small_bucket : settings.bucket;
-        if (lane == 0u) fits = 1u;
-        barrier();
-        for (uint i = lane; i < half_count; i += LANES)
-            if (sizes[i] + sizes[i + half_count] > limit) fits = 0u;
-        barrier();
-        const bool merge = fits != 0u;
-        barrier();
-        if (!merge) break;
-        for (uint i = lane; i < half_count; i += LANES) sizes[i] += sizes[i + half_count];
-        barrier();
-        buckets = half_count;
+/// Marks in `too_full` to which numbers of buckets the table cannot be brought, as one would hold more than it may.
+void try_buckets(uint table_buckets, uint buckets_before) {
+    for (uint level = 0u; (2u << level) <= table_buckets; ++level) {
+        const uint buckets = 1u << level;
+        const uint limit = buckets < buckets_before ? settings.small_bucket : settings.bucket;
+        const uint joined = table_buckets / buckets;
+        for (uint i = gl_LocalInvocationID.x; i < buckets; i += LANES)
+            if (joined_size(i * joined, (i + 1u) * joined) > limit) atomicOr(too_full, buckets);
     }
-    return buckets;
-}
-
-/// How many lights of the same cache bucket have smaller ids than the one at table bucket `home`.
-uint rank_of(uint id, uint home, uint buckets, uint table_buckets) {
-    uint rank = 0u;
-    for (uint bucket = home & (buckets - 1u); bucket < table_buckets; bucket += buckets) {
-        const uint first = bucket * settings.bucket;
-        for (uint i = 0u; i < settings.bucket && table[first + i] < id; ++i) ++rank;
-    }
-    return rank;
 }
 
 void main() {
     const uint lane = gl_LocalInvocationID.x;
     const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
     const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+    const uint buckets_before = old_leaves[cache + 1u];
+    find_list(leaf, lane);
+    if (lane == 0u) {
+        lights = 0u;
+        too_full = 0u;
+    }
+    barrier();
 
     // Join the lists. Every leaf may fill an equal part of the buffer: it never runs out.
     uint total = 0u;
-    for (uint list = 0u; list < 7u; ++list) total += list_length(listed_leaf(leaf, list));
+    for (uint list = 0u; list < LISTS; ++list) total += list_length[list];
     const uint quota = header.vlc_capacity / (settings.bucket * (7u * old_node_count + 1u));
     const uint table_buckets = min(table_bucket_count(total), power_of_two_below(max(quota, 1u)));
     table_clear(table_buckets);
-    if (lane == 0u) lights = 0u;
     barrier();
-    for (uint list = 0u; list < 7u; ++list) {
-        const uint source = listed_leaf(leaf, list);
-        const uint length = list_length(source);
-        if (length == 0u) continue;
-        const uint first = old_leaves[leaf_word(LEAF_STORAGE, 2u, source)];
-        for (uint i = lane; i < length; i += LANES) table_insert(table_buckets, light_samples[first + i]);
-    }
+    for (uint list = 0u; list < LISTS; ++list)
+        for (uint i = lane; i < list_length[list]; i += LANES)
+            table_insert(table_buckets, light_samples[list_first[list] + i]);
     barrier();
 
-    // Join buckets.
-    for (uint i = lane; i < table_buckets; i += LANES) {
-        sizes[i] = table_bucket_size(i);
+    // Join buckets, halving their number while the lights fit.
+    for (uint i = lane; i < table_buckets; i += LANES)
         if (sizes[i] > 0u) atomicAdd(lights, sizes[i]);
-    }
-    const uint buckets_before = old_leaves[cache + 1u];
+    try_buckets(table_buckets, buckets_before);
     barrier();
-    if (lights == 0u) {
-        if (lane == 0u) old_leaves[cache + 1u] = 0u;
-        return;
-    }
-    const uint buckets = merge_buckets(table_buckets, buckets_before);
+    uint buckets = lights > 0u ? table_buckets : 0u;
+    while (buckets > 1u && (too_full & (buckets / 2u)) == 0u) buckets /= 2u;
 
     // Write the cache.
     if (lane == 0u) {
         cache_first = atomicAdd(work.vlc_used, buckets * settings.bucket);
         old_leaves[cache] = cache_first;
         old_leaves[cache + 1u] = buckets;
-        atomicAdd(work.cached_leaves, 1u);
+        if (buckets > 0u) atomicAdd(work.cached_leaves, 1u);
         atomicAdd(work.cached_lights, lights);
         atomicAdd(work.cached_buckets, buckets);
         atomicMax(work.most_lights, lights);
     }
     barrier();
-    for (uint slot = lane; slot < table_buckets * settings.bucket; slot += LANES) {
-        const uint id = table[slot];
-        if (id == NONE) continue;
-        const uint home = slot / settings.bucket;
-        const uint rank = rank_of(id, home, buckets, table_buckets);
-        vlc_lights[cache_first + (home & (buckets - 1u)) * settings.bucket + rank] = id;
+    if (buckets == 0u) return;
+    const uint joined = table_buckets / buckets;
+    for (uint i = lane; i < table_buckets; i += LANES) {
+        // This part of a bucket comes after the parts before it. Buckets lie by remainder, which is the reversed key.
+        const uint part = i & (joined - 1u);
+        const uint remainder = (bitfieldReverse(i / joined) >> 1u) >> (31 - findMSB(buckets));
+        const uint bucket_first = cache_first + remainder * settings.bucket;
+        const uint before = joined_size(i - part, i);
+        for (uint k = 0u; k < sizes[i]; ++k) vlc_lights[bucket_first + before + k] = id_of(table[i * settings.bucket + k]);
+        const uint end = before + sizes[i];
+        if (part + 1u == joined && end < settings.bucket) vlc_lights[bucket_first + end] = NONE;
     }
-    for (uint slot = lane; slot < buckets * settings.bucket; slot += LANES)
-        if (slot % settings.bucket >= sizes[slot / settings.bucket]) vlc_lights[cache_first + slot] = NONE;
 }

@@ -7,6 +7,7 @@
 
 #ifdef __cplusplus
 #include "shared/techniques.h"
+#include "shared/views.h"
 #endif
 
 // Columns:
@@ -95,16 +96,15 @@
         "factor on the radiance of emissive faces") \
     GPU_INTEGER(pt_emissive_texture, Session, 1, 0, 1, \
         "1: lamps that the camera sees show their texture; 0: their mean radiance") \
-    GPU_CHOICE(pt_texture_filter, Session, "bilinear", "nearest|bilinear", \
-        "how textures are magnified") \
+    GPU_CHOICE(pt_texture_filter, Session, "bilinear", "nearest|bilinear|full", \
+        "how textures are magnified; full: bilinear, and never from a smaller mip level") \
     GPU_REAL(pt_exposure, Session, 0.0, 0.0, 1e6, \
         "factor from radiance to brightness; 0: automatic") \
     GPU_REAL(pt_exposure_bias, Archived, 0.0, -16.0, 16.0, \
         "stops added to the exposure, automatic or not") \
     GPU_CHOICE(pt_tonemap, Archived, "filmic", "none|reinhard|filmic", \
         "curve from exposed radiance to the display") \
-    GPU_CHOICE(pt_view, Session, "none", \
-        "none|albedo|normal|depth|cluster|triangle|light|nonfinite", \
+    GPU_CHOICE(pt_view, Session, "none", view_choices, \
         "shows what the path tracer knows instead of the picture") \
     \
     STRING(vk_device, Start, "", \

@@ -26,6 +26,8 @@ struct FrameParams {
     vec3 sun_direction;  // unit, towards the sun
     vec3 sun_radiance;   // of the disc; 0 without a sun
     float sun_size;      // 1 - cos(half the angular diameter)
+    uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of it
+    uint guided;         // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
     GpuCvars cvars;
 };
 

@@ -35,7 +35,7 @@ SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x7fffffffu;
 /// A leaf's samples beyond this many are passed over, evenly.
 SHADER_CONST uint VLC_MOST_SAMPLES = 16384u;
 /// The hash table in shared memory: light ids, and buckets (ids with equal remainder).
-SHADER_CONST uint VLC_TABLE_SIZE = 2048u;
+SHADER_CONST uint VLC_TABLE_SIZE = 1024u;
 SHADER_CONST uint VLC_TABLE_MOST_BUCKETS = 256u;
 /// Largest bucket (pt_vlc_bucket).
 SHADER_CONST uint VLC_LARGEST_BUCKET = 64u;

@@ -55,8 +55,11 @@ Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, siz
         std::memset(statistics_.back().mapped(), 0, sizeof(shader::GuidingWork));
     }
     pass_layout_ = gpu::make_pipeline_layout(device, std::array{trees_[0].passes.layout()});
+    // Constant 0 is the size of a work group where the shader leaves it to us.
+    const std::array constants{gpu::Specialization{0, device.features().subgroup_size}};
     const auto make = [&](const char* name) {
-        return gpu::ComputePipeline(device, pass_layout_.get(), cache, shader_code(name), {}, name);
+        return gpu::ComputePipeline(device, pass_layout_.get(), cache, shader_code(name), constants,
+                                    name);
     };
     mark_ = make("octree_mark");
     rebuild_ = make("octree_rebuild");
