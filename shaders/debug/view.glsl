@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Views of what the path tracer knows (pt_view), as colours for the display. They read the primary hits of the frame.
+// Views of what the path tracer knows (pt_view), as colours for the display. They read the primary hits of the frame, and
+// the octree and light caches that it used. Legends are drawn by the host (refresh/vkpt/debug/legend.h).
 #ifndef VIGIL_DEBUG_VIEW_GLSL
 #define VIGIL_DEBUG_VIEW_GLSL
 
-#include "pathtrace/surface.glsl"
-#include "shared/random.h"
-
-// In the order of pt_view in shared/cvar_table.h.
-const int VIEW_NONE = 0;
-const int VIEW_ALBEDO = 1;
-const int VIEW_NORMAL = 2;
-const int VIEW_DEPTH = 3;
-const int VIEW_CLUSTER = 4;
-const int VIEW_TRIANGLE = 5;
-const int VIEW_LIGHT = 6;
-const int VIEW_NONFINITE = 7;
+#include "debug/octree_view.glsl"
+#include "shared/views.h"
 
 /// A colour per number, bright enough to tell neighbours apart.
 vec3 number_color(uint number) {
@@ -22,10 +13,47 @@ vec3 number_color(uint number) {
     return 0.25 + 0.75 * vec3(unit_float(words.x), unit_float(words.y), unit_float(words.z));
 }
 
+/// A count on its logarithmic scale. Shading is faint: lightness says how many.
+vec3 count_color(uint count, float most, float facing) {
+    if (count == 0u) return VIEW_EMPTY;
+    return (0.8 + 0.2 * facing) * color_map(count_on_scale(float(count), most));
+}
+
+vec3 octree_color(Surface surface, float facing) {
+    const OctreeCell cell = find_cell(surface.position);
+    const float width = frame.pixel_angle * distance(frame.camera_origin, surface.position) / max(facing, 0.15);
+    const float line = on_cell_border(cell, surface.position, surface.normal, width) ? 0.25 : 1.0;
+    return line * (0.5 + 0.5 * facing) * cell_color(cell);
+}
+
+vec3 technique_color(uint flags) {
+    if (frame.samples_lights == 0u) return VIEW_OFF;
+    const bool zero = (flags & PRIMARY_HIT_UNLIT) != 0u;
+    if ((flags & PRIMARY_HIT_EXPLORED) != 0u) return zero ? VIEW_EXPLORED_ZERO : VIEW_EXPLORED;
+    return zero ? VIEW_CACHE_ZERO : VIEW_CACHE;
+}
+
+vec3 zero_color(uint flags, float facing) {
+    if (frame.samples_lights == 0u) return VIEW_OFF;
+    if ((flags & PRIMARY_HIT_UNLIT) != 0u) return VIEW_ZERO_SAMPLE;
+    return (0.5 + 0.5 * facing) * VIEW_LIT_SAMPLE;
+}
+
+/// Views of the octree and its caches, which exist only where guiding is on.
+vec3 guiding_color(int view, Surface surface, float facing) {
+    if (frame.guided == 0u) return VIEW_OFF;
+    switch (view) {
+    case VIEW_OCTREE: return octree_color(surface, facing);
+    case VIEW_SAMPLES: return count_color(sample_count(surface), view_most_samples(frame.size), facing);
+    case VIEW_VLC_LIGHTS: return count_color(cached_light_count(surface), VIEW_MOST_LIGHTS, facing);
+    default: return count_color(bucket_count(surface), VIEW_MOST_BUCKETS, facing);
+    }
+}
+
 vec3 view_color(uint index) {
     const PrimaryHit hit = primary_hits[index];
-    if (frame.cvars.pt_view == VIEW_NONFINITE)
-        return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? vec3(1.0, 0.0, 1.0) : vec3(0.05);
+    const int view = frame.cvars.pt_view;
+    if (view == VIEW_NONFINITE) return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
     if (hit.primitive == NONE) return vec3(0.0);
     Surface surface;
     surface.position = hit.position;
@@ -34,18 +62,24 @@ vec3 view_color(uint index) {
     surface.primitive = hit.primitive;
     surface.instance = hit.instance;
     const float facing = abs(dot(hit.normal, normalize(frame.camera_origin - hit.position)));
-    switch (frame.cvars.pt_view) {
+    switch (view) {
+    case VIEW_OCTREE:
+    case VIEW_SAMPLES:
+    case VIEW_VLC_LIGHTS:
+    case VIEW_VLC_BUCKETS: return guiding_color(view, surface, facing);
+    case VIEW_TECHNIQUE: return technique_color(hit.flags);
+    case VIEW_ZERO: return zero_color(hit.flags, facing);
     case VIEW_ALBEDO: return pow(hit.albedo, vec3(1.0 / 2.2));
     case VIEW_NORMAL: return 0.5 + 0.5 * hit.normal;
-    case VIEW_DEPTH: return vec3(1.0 / (1.0 + distance(frame.camera_origin, hit.position) / 256.0));
+    case VIEW_DEPTH: return vec3(view_depth_grey(distance(frame.camera_origin, hit.position)));
     case VIEW_CLUSTER: {
         const uint cluster = surface_cluster(surface);
-        return (0.4 + 0.6 * facing) * (cluster == NONE ? vec3(1.0, 0.0, 0.0) : number_color(cluster));
+        return (0.4 + 0.6 * facing) * (cluster == NONE ? VIEW_NO_CLUSTER : number_color(cluster));
     }
     case VIEW_TRIANGLE: return (0.4 + 0.6 * facing) * number_color(hit.primitive);
     case VIEW_LIGHT: {
         const uint light = primitives[hit.primitive].light;
-        if (light == NONE) return vec3(0.15 * facing);
+        if (light == NONE) return facing * VIEW_NO_LIGHT;
         return number_color((HAS_INSTANCES ? instances[hit.instance].first_light : 0u) + light);
     }
     default: return vec3(0.0);

@@ -49,9 +49,12 @@ ivec2 wrap_texel(ivec2 position, ivec2 size) {
 }
 
 /// Repeating texture at `uv` (in repeats); `footprint` is the width of the area looked at, in repeats of the larger side.
-/// One mip level (the nearest), bilinear or nearest texels inside it.
+/// One mip level (the nearest), bilinear or nearest texels inside it. With pt_texture_filter full the level is always the
+/// picture itself, as in renderers that only interpolate: smaller levels mix the reflectance of places that the light does not
+/// reach with that of places it does.
 vec3 sample_texture(Texture header, vec2 uv, float footprint) {
-    const float texels_wide = footprint * float(max(header.width, header.height));
+    const bool full = frame.cvars.pt_texture_filter == 2;
+    const float texels_wide = full ? 1.0 : footprint * float(max(header.width, header.height));
     const uint level = uint(clamp(int(round(log2(max(texels_wide, 1.0)))), 0, int(header.mip_count) - 1));
     const ivec2 size = max(ivec2(header.width, header.height) >> int(level), ivec2(1));
     const vec2 place = fract(uv) * vec2(size);

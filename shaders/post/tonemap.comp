@@ -19,11 +19,6 @@ vec3 filmic(vec3 color) {
     return (color * (2.51 * color + 0.03)) / (color * (2.43 * color + 0.59) + 0.14);
 }
 
-vec3 encode_srgb(vec3 linear) {
-    const vec3 curve = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
-    return mix(12.92 * linear, curve, greaterThan(linear, vec3(0.0031308)));
-}
-
 void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
@@ -35,7 +30,7 @@ void main() {
         color = min(mean_radiance[index] * exposure, vec3(1e4));
         if (frame.cvars.pt_tonemap == 1) color = reinhard(color);
         if (frame.cvars.pt_tonemap == 2) color = filmic(0.8 * color);
-        color = encode_srgb(clamp(color, 0.0, 1.0));
+        color = srgb_from_linear(clamp(color, 0.0, 1.0));
     }
     display[index] = packUnorm4x8(vec4(color, 1.0));
 }

@@ -198,9 +198,14 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         params.accumulated = accumulated_;
         params.jitter =
             cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
+        params.samples_lights = technique_->samples_lights() && scene_->features().lights ? 1u : 0u;
+        params.guided = technique_->uses_guiding() ? 1u : 0u;
         const PathTracerVariant variant{technique_id_, scene_->features(), use_ray_query()};
         path_tracer_.record(commands, variant, params, static_cast<uint32_t>(cvars()->pt_spp),
                             technique_->samples_lights(), guiding_.set());
+        legend_.record(commands, path_tracer_.display(),
+                       {cvars()->pt_view, technique_id_, params.samples_lights != 0,
+                        params.guided != 0, path_tracer_.size()});
         ++accumulated_;
     }
     present(commands, frame);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "refresh/refresh.h"
+#include "refresh/vkpt/debug/legend.h"
 #include "refresh/vkpt/gpu/swapchain.h"
 #include "refresh/vkpt/guiding/guiding.h"
 #include "refresh/vkpt/light/light_lists.h"
@@ -37,6 +38,7 @@ public:
     Scene* scene() { return scene_.get(); }
     LightTechnique* technique() { return technique_.get(); }
     Guiding& guiding() { return guiding_; }
+    const Legend& legend() const { return legend_; }
     /// The next frame begins with an empty octree and empty caches.
     void reset_guiding();
     /// Radiance values so far that were not finite.
@@ -67,6 +69,7 @@ private:
     std::optional<gpu::Swapchain> swapchain_;
     std::optional<Overlay> overlay_;
     gpu::Image picture_;
+    Legend legend_;
 
     std::shared_ptr<const Level> level_;
     std::unique_ptr<LightLister> lister_;
