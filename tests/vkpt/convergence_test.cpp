@@ -36,12 +36,14 @@ protected:
         for (const TechniqueInfo& info : technique_infos) {
             if (info.name == "brute") continue;
             set("pt_nee", info.name);
-            for (const char* most : {"32", "4"}) { // lists of both sides of the stride
-                if (info.name != "sll" && most[0] == '4') continue;
+            // Lists on both sides of the stride; caches of one bucket and of several.
+            for (const char* most : {"32", "4"}) {
+                if (info.name != "sll" && info.name != "vlc" && most[0] == '4') continue;
                 set("pt_sll_max", most);
+                set("pt_vlc_bucket", most);
                 const PictureBatches sampled =
                     batches(shot, sampled_batches, plan.paths * path_factor(), 5000, block);
-                SCOPED_TRACE(fmt::format("{} pt_sll_max {}", info.name, most));
+                SCOPED_TRACE(fmt::format("{} {} lights at most", info.name, most));
                 judge(fmt::format("{:8} {:>2}", info.name, most), sampled, brute, plan.detectable);
             }
         }
@@ -103,6 +105,62 @@ TEST_F(Convergence, DynamicLights) {
                            {8, {200, 60, 100}, 12.0f, {5, 20, 40}},
                            {9, {60, 200, 120}, 20.0f, {8, 8, 2}}};
     expect_equal_means(shot, {});
+}
+
+/// Frame `number` of a scene in which lights move, appear, vanish and change colour from each frame
+/// to the next, and a lamp swings on a door.
+Shot restless_shot(int number) {
+    Shot shot = view_at({40, 40, 60}, 0, 45);
+    const float t = static_cast<float>(number);
+    shot.dynamic_lights = {{7, {100 + 12 * t, 120, 40}, 16.0f, {20, 10, 5}}};
+    if (number % 2 == 0) shot.dynamic_lights.push_back({8, {200, 60, 100}, 12.0f, {5, 20, 40}});
+    if (number % 3 != 1)
+        shot.dynamic_lights.push_back({9, {60, 200 - 9 * t, 120}, 20.0f, {8, 8 - t, 2 + t}});
+    refresh::Entity door;
+    door.number = 1;
+    door.origin = {-40, -20, 20 + 3 * t};
+    shot.entities = {door};
+    return shot;
+}
+
+TEST_F(Convergence, LightsThatChangeEveryFrame) {
+    load("rooms");
+    constexpr int frames = 6, sequences = 8;
+    const refresh::ModelHandle model = renderer().register_model("*1");
+    const auto shot_of = [&](int number) {
+        Shot shot = restless_shot(number);
+        shot.entities[0].model = model;
+        return shot;
+    };
+    set("pt_nee", "brute");
+    const PictureBatches brute =
+        batches(shot_of(frames - 1), brute_batches, 2 * Plan().brute_paths, 1000, block);
+    // What is judged is the last frame of a sequence that begins with empty caches: they are then
+    // made from frames in which the lights were others.
+    set("pt_nee", "vlc");
+    for (const char* most : {"32", "4"}) {
+        set("pt_vlc_bucket", most);
+        PictureBatches sampled(cvars()->vid_width, cvars()->vid_height, block);
+        int seed = 0;
+        for (int batch = 0; batch < sampled_batches; ++batch) {
+            std::vector<float> sum;
+            for (int sequence = 0; sequence < sequences * path_factor(); ++sequence) {
+                set("pt_seed", std::to_string(++seed));
+                renderer().reset_guiding();
+                for (int number = 0; number + 1 < frames; ++number)
+                    renderer().render(shot_of(number).frame());
+                const refresh::RadiancePicture last = radiance(shot_of(frames - 1));
+                sum.resize(last.rgb.size(), 0.0f);
+                for (std::size_t i = 0; i < sum.size(); ++i)
+                    sum[i] += last.rgb[i];
+            }
+            for (float& value : sum)
+                value /= static_cast<float>(sequences * path_factor());
+            sampled.add(sum);
+        }
+        SCOPED_TRACE(fmt::format("{} lights at most", most));
+        judge(fmt::format("vlc      {:>2}", most), sampled, brute, 0.025);
+    }
 }
 
 TEST_F(Convergence, GlossyWalls) {

@@ -32,7 +32,7 @@ protected:
 
     static Answers ask(const Shot& shot, std::string_view technique) {
         set("pt_nee", technique);
-        radiance(shot);
+        learn(shot, frames_to_learn);
         const glm::uvec2 size = renderer().path_tracer().size();
         const size_t pixels = size_t{size.x} * size.y;
         Answers answers;
@@ -52,9 +52,24 @@ protected:
         return answers;
     }
 
-    /// `starts` is the stride of the technique's walk at most: where some starts find nothing, sums
-    /// are whole multiples of one of 1 / 1 .. 1 / starts.
-    static void judge(const Answers& answers, uint32_t starts) {
+    /// How many draws find no light, per draw: `part` of them is a whole multiple of one of 1 / 1
+    /// .. 1 / starts.
+    struct Blanks {
+        double part = 1.0;
+        uint32_t starts = 1;
+    };
+
+    /// Distance of a sum of probabilities from the nearest that is possible.
+    static double impossible(double sum, const Blanks& blanks) {
+        double nearest = 1.0;
+        for (uint32_t i = 1; i <= blanks.starts; ++i) {
+            const double found = (1.0 - sum) / blanks.part * i;
+            nearest = std::min(nearest, std::abs(found - std::round(found)));
+        }
+        return nearest;
+    }
+
+    static void judge(const Answers& answers, const Blanks& blanks) {
         size_t lit = 0, worst_pixel = 0;
         double scores = 0.0, worst = 0.0;
         for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
@@ -72,10 +87,8 @@ protected:
                 const bool never = claimed[light] == 0.0f;
                 ASSERT_TRUE(!never || seen[light] == 0) << "pixel " << pixel << " light " << light;
             }
-            double nearest = 1.0;
-            for (uint32_t stride = 1; stride <= starts; ++stride)
-                nearest = std::min(nearest, std::abs(sum * stride - std::round(sum * stride)));
-            EXPECT_LT(nearest, 2e-5) << "pixel " << pixel << ": probabilities add up to " << sum;
+            EXPECT_LT(impossible(sum, blanks), 2e-5)
+                << "pixel " << pixel << ": probabilities add up to " << sum;
             EXPECT_LT(sum, 1.0 + 2e-5);
             // The walk adds up weights in the same order; a stretched random number costs some
             // digits.
@@ -123,13 +136,26 @@ protected:
         for (const TechniqueInfo& info : technique_infos) {
             if (info.name == "brute") continue; // draws nothing
             for (const char* most : {"32", "4"}) {
-                if (info.name != "sll" && most[0] == '4') continue;
-                SCOPED_TRACE(fmt::format("{} pt_sll_max {}", info.name, most));
+                const bool varies = info.name == "sll" || info.name == "vlc";
+                if (!varies && most[0] == '4') continue;
+                SCOPED_TRACE(fmt::format("{} {} lights at most", info.name, most));
                 set("pt_sll_max", most);
+                set("pt_vlc_bucket", most);
                 const Answers answers = ask(shot, info.name);
+                const shader::GuidingWork learned = renderer().guiding().statistics(0);
+                if (info.name == "vlc") {
+                    EXPECT_GT(learned.cached_lights, 2 * learned.cached_leaves);
+                    EXPECT_TRUE(most[0] == '3' ||
+                                learned.cached_buckets > learned.cached_leaves + 20);
+                }
                 const auto lights = static_cast<uint32_t>(answers.row - 1);
-                const auto limit = static_cast<uint32_t>(cvars()->pt_sll_max);
-                judge(answers, info.name == "sll" ? (lights + limit - 1) / limit : 1u);
+                const auto limit = static_cast<uint32_t>(std::atoi(most));
+                Blanks blanks;
+                // Some starts of a walk with a stride, and some buckets, may hold only lights that
+                // face away.
+                if (info.name == "sll") blanks.starts = (lights + limit - 1) / limit;
+                if (info.name == "vlc") blanks = {1.0 - cvars()->pt_vlc_explore, 16};
+                judge(answers, blanks);
             }
         }
     }

@@ -109,13 +109,31 @@ refresh::RadiancePicture RenderTest::radiance(const Shot& shot) {
 PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int seed, int block) {
     PictureBatches result(cvars()->vid_width, cvars()->vid_height, block);
     set("pt_spp", "1");
-    radiance(shot); // brings scene and technique to this frame
+    learn(shot, frames_to_learn);
     shader::FrameParams frame = params(shot);
     for (int batch = 0; batch < batches; ++batch) {
         frame.cvars.pt_seed = seed + batch;
         result.add(trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths)));
     }
     return result;
+}
+
+void RenderTest::learn(const Shot& shot, int frames) {
+    radiance(shot);
+    if (!renderer().technique()->uses_guiding()) return;
+    const gpu::Device& device = renderer().device();
+    shader::FrameParams frame = params(shot);
+    renderer().reset_guiding();
+    gpu::FrameCommands commands(device);
+    for (int i = 0; i <= frames; ++i) {
+        device.wait_idle();
+        commands.begin();
+        renderer().guiding().record(commands, 0);
+        commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
+        commands.finish();
+        frame.frame = static_cast<uint32_t>(i);
+        if (i < frames) trace(frame, renderer().scene()->features(), 1);
+    }
 }
 
 shader::FrameParams RenderTest::params(const Shot& shot) {

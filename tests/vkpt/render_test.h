@@ -52,9 +52,14 @@ protected:
 
     /// One frame's radiance.
     static refresh::RadiancePicture radiance(const Shot& shot);
-    /// `batches` pictures of `paths` paths per pixel with seeds seed, seed + 1, ...; the same
-    /// whatever was rendered before.
+    /// `batches` pictures of `paths` paths per pixel with seeds seed, seed + 1, ..., after
+    /// learning; the same whatever was rendered before.
     static PictureBatches batches(const Shot& shot, int batches, int paths, int seed, int block);
+
+    /// Brings the scene to this shot and, if the technique learns, its caches: from nothing, over
+    /// `frames` frames of it. The same whatever was rendered before.
+    static void learn(const Shot& shot, int frames);
+    static constexpr int frames_to_learn = 10;
 
     /// Parameters of a frame as the renderer would make them, for `trace`.
     static shader::FrameParams params(const Shot& shot);
