@@ -18,8 +18,13 @@ constexpr float change_fade = 0.5f, change_least = 0.01f;
 /// Share of all draws that is spread evenly, so that no light is out of reach.
 constexpr double even_share = 1e-4;
 
+/// Keeps weights finite whatever a level holds.
+float finite(float weight) {
+    return weight > 0.0f ? std::min(weight, 1e30f) : 0.0f; // also for NaN
+}
+
 float power_of(const shader::Light& light) {
-    return std::max(shader::light_area(light) * shader::luminance(light.radiance), 0.0f);
+    return finite(shader::light_area(light) * shader::luminance(light.radiance));
 }
 
 bool same_place(const shader::Light& a, const shader::Light& b) {
