@@ -21,8 +21,8 @@ vec3 count_color(uint count, float most, float facing) {
 
 vec3 octree_color(Surface surface, float facing) {
     const OctreeCell cell = find_cell(surface.position);
-    const float width = frame.pixel_angle * distance(frame.camera_origin, surface.position) / max(facing, 0.15);
-    const float line = on_cell_border(cell, surface.position, surface.normal, width) ? 0.25 : 1.0;
+    const float width = frame.pixel_angle * distance(frame.camera_origin, surface.position) / max(sqrt(facing), 0.3);
+    const float line = on_cell_border(cell, surface.position, surface.normal, width) ? 0.35 : 1.0;
     return line * (0.5 + 0.5 * facing) * cell_color(cell);
 }
 

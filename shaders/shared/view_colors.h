@@ -45,12 +45,12 @@ SHADER_FN float count_on_scale(float count, float most) {
     return log2(max(count, 1.0f)) / log2(most);
 }
 
-/// Ends of the scales. A leaf splits at about a 500th of the pixels with the default pt_oct_split.
+/// Ends of the scales; more looks as if it were as many. A leaf splits at about a 500th of the pixels with the default pt_oct_split.
 SHADER_FN float view_most_samples(uvec2 size) {
     return max(float(size.x * size.y) / 128.0f, 16.0f);
 }
 SHADER_CONST float VIEW_MOST_LIGHTS = 2048.0f;
-SHADER_CONST float VIEW_MOST_BUCKETS = 256.0f;
+SHADER_CONST float VIEW_MOST_BUCKETS = 64.0f;
 
 /// Grey of a distance in map units: from white at the eye to black far away.
 SHADER_FN float view_depth_grey(float distance) {

@@ -36,6 +36,7 @@ Client::Client(const ClientParts& parts)
     add_view_commands(*this);
     add_picture_commands(*this);
     add_fly_command(*this);
+    add_guiding_commands(*this);
 }
 
 Client::~Client() = default;
@@ -134,7 +135,10 @@ void Client::render(double seconds) {
     ImDrawData* drawn = nullptr;
     if (!headless()) {
         const bool full = session_.level() == nullptr;
-        drawn = overlay_.draw(console_, picture_size(), now, seconds, variables_->con_notify, full);
+        // Views invite questions about a place (`vlcinfo`).
+        const bool crosshair = !full && variables_->pt_view != 0;
+        drawn = overlay_.draw(console_, picture_size(), now, seconds, variables_->con_notify, full,
+                              crosshair);
     }
     session_.render(drawn);
 }

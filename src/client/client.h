@@ -102,6 +102,7 @@ void add_level_commands(Client& client);
 void add_view_commands(Client& client);
 void add_picture_commands(Client& client);
 void add_fly_command(Client& client);
+void add_guiding_commands(Client& client);
 
 /// bind, unbind, unbindall, bindlist.
 void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings);

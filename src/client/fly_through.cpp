@@ -54,6 +54,7 @@ void FlyThrough::take_gpu_times(Session& session, bool wait) {
         // Frames of a flight follow one another.
         FrameRecord& record = frames_.at(times.frame - frames_.front().number);
         statistics_.add_frame(times.passes);
+        counts_.add_frame(times.counts);
         record.passes = std::move(times.passes);
     }
 }
@@ -105,6 +106,10 @@ std::string FlyThrough::json_text(const Session& session, const std::string& dev
                                     {"p99_ms", pass.p99},
                                     {"share", pass.share}});
     }
+    // What guiding counted, means over the flight; empty while it was off.
+    report["guiding"] = ordered_json::object();
+    for (const refresh::FrameCount& count : counts_.means())
+        report["guiding"][count.name] = count.value;
     report["frames"] = ordered_json::array();
     for (const FrameRecord& record : frames_) {
         ordered_json passes = ordered_json::object();

@@ -3,6 +3,7 @@
 // and the end reports frame rate and GPU times (Quake's timedemo, with a camera instead of a demo).
 #pragma once
 
+#include "client/count_statistics.h"
 #include "client/pass_statistics.h"
 #include "client/route.h"
 #include "client/session.h"
@@ -61,6 +62,7 @@ private:
     double seconds_ = 0.0;
     std::vector<FrameRecord> frames_;
     PassStatistics statistics_;
+    CountStatistics counts_{0};
 };
 
 } // namespace vigil::client

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vigil::client {
 
@@ -23,6 +24,23 @@ ImFont* font_for(int height) {
     const float scale = static_cast<float>(height) / pixels_per_scale;
     const int index = std::clamp(static_cast<int>(scale + 0.5f), 1, font_scales) - 1;
     return ImGui::GetIO().Fonts->Fonts[index];
+}
+
+/// Four strokes around the middle pixel, dark under bright: visible on any ground.
+void draw_crosshair(float scale) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 middle{std::floor(screen.x / 2.0f) + 0.5f, std::floor(screen.y / 2.0f) + 0.5f};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const auto stroke = [&](float x, float y) {
+        const ImVec2 from{middle.x + 3.0f * scale * x, middle.y + 3.0f * scale * y};
+        const ImVec2 to{middle.x + 8.0f * scale * x, middle.y + 8.0f * scale * y};
+        list.AddLine(from, to, IM_COL32(0, 0, 0, 255), 3.0f * scale);
+        list.AddLine(from, to, IM_COL32(255, 255, 255, 255), scale);
+    };
+    stroke(1.0f, 0.0f);
+    stroke(-1.0f, 0.0f);
+    stroke(0.0f, 1.0f);
+    stroke(0.0f, -1.0f);
 }
 
 } // namespace
@@ -48,13 +66,13 @@ Overlay::~Overlay() {
 }
 
 ImDrawData* Overlay::draw(const Console& console, glm::ivec2 size, double time_s, double seconds,
-                          double notify_s, bool full) {
+                          double notify_s, bool full, bool crosshair) {
     const float wanted = !console.is_open() ? 0.0f : full ? 1.0f : open_height;
     const float step = screens_per_second * static_cast<float>(seconds);
     drop_ += std::clamp(wanted - drop_, -step, step);
 
     const bool notices = drop_ == 0.0f && has_notices(console, time_s, notify_s);
-    if (size.x <= 0 || size.y <= 0 || (drop_ == 0.0f && !notices)) return nullptr;
+    if (size.x <= 0 || size.y <= 0 || (drop_ == 0.0f && !notices && !crosshair)) return nullptr;
 
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -65,6 +83,7 @@ ImDrawData* Overlay::draw(const Console& console, glm::ivec2 size, double time_s
     if (drop_ > 0.0f) {
         draw_console(console, *font, drop_, time_s);
     } else {
+        if (crosshair) draw_crosshair(font->FontSize / font_pixels);
         draw_notices(console, *font, time_s, notify_s);
     }
     ImGui::Render();

@@ -24,10 +24,11 @@ public:
 
     /// Lets the console slide for `seconds` towards open or closed and draws it for a framebuffer
     /// of `size` pixels. New lines stay on the screen for `notify_s` seconds while it is closed.
-    /// Without a level (`full`), the open console covers everything. Returns null when there is
-    /// nothing to see; the data is valid until the next call.
+    /// Without a level (`full`), the open console covers everything. `crosshair` marks the middle
+    /// of the picture while the console is closed. Returns null when there is nothing to see; the
+    /// data is valid until the next call.
     ImDrawData* draw(const Console& console, glm::ivec2 size, double time_s, double seconds,
-                     double notify_s, bool full);
+                     double notify_s, bool full, bool crosshair);
 
 private:
     ImGuiContext* context_ = nullptr;

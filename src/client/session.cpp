@@ -39,6 +39,7 @@ void Session::load_map(std::string_view name) {
     time_s_ = 0.0;
     take_frame_times(true); // those of the level before
     statistics_.clear();
+    counts_.clear();
     ++scene_changes_;
     log_info("{}: {} faces, {} clusters, {} models placed; loaded in {:.2f} s", level_->name,
              bsp.faces.size(), bsp.cluster_count, entities_.entities().size(), watch.seconds());
@@ -66,6 +67,12 @@ void Session::set_dynamic_light(const refresh::DynamicLight& light) {
 
 void Session::clear_dynamic_lights() {
     dynamic_lights_.clear();
+    ++scene_changes_;
+}
+
+void Session::reset_guiding() {
+    renderer_.reset_guiding();
+    counts_.clear();
     ++scene_changes_;
 }
 
@@ -104,8 +111,11 @@ void Session::render(ImDrawData* overlay) {
 
 std::vector<refresh::FrameTimes> Session::take_frame_times(bool wait) {
     std::vector<refresh::FrameTimes> times = renderer_.take_frame_times(wait);
-    for (const refresh::FrameTimes& frame : times)
+    for (const refresh::FrameTimes& frame : times) {
         statistics_.add_frame(frame.passes);
+        if (frame.counts.empty()) counts_.clear(); // guiding went off: what was is of no use
+        counts_.add_frame(frame.counts);
+    }
     return times;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "client/camera.h"
+#include "client/count_statistics.h"
 #include "client/level_entities.h"
 #include "client/light_styles.h"
 #include "client/pass_statistics.h"
@@ -41,6 +42,8 @@ public:
     /// Adds a dynamic light, or changes the one with the same id.
     void set_dynamic_light(const refresh::DynamicLight& light);
     void clear_dynamic_lights();
+    /// Empties the renderer's octree and light caches.
+    void reset_guiding();
 
     /// Lets time pass. It stands still while pt_accumulate averages frames.
     void advance(double seconds);
@@ -52,15 +55,20 @@ public:
     void render(ImDrawData* overlay);
     /// Number of the frame that was rendered last.
     uint64_t last_frame() const { return last_frame_; }
-    /// GPU times of the frames that were finished since the last call, which also enter
-    /// pass_statistics(); with `wait`, of all frames rendered so far.
+    /// GPU times and counts of the frames that were finished since the last call, which also enter
+    /// pass_statistics() and count_statistics(); with `wait`, of all frames rendered so far.
     std::vector<refresh::FrameTimes> take_frame_times(bool wait);
     /// Renders once more if the picture does not show the present view, level or settings.
     void render_if_stale();
 
     PassStatistics& pass_statistics() { return statistics_; }
+    /// Of recent frames.
+    const CountStatistics& count_statistics() const { return counts_; }
 
 private:
+    /// A second of play.
+    static constexpr size_t recent_frames = 60;
+
     /// What a picture depends on, apart from the passing of time.
     struct Shown {
         glm::vec3 origin{0.0f};
@@ -85,6 +93,7 @@ private:
     uint64_t scene_changes_ = 0;
     std::optional<Shown> shown_;
     PassStatistics statistics_;
+    CountStatistics counts_{recent_frames};
     uint64_t last_frame_ = 0;
 };
 

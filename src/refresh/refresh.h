@@ -88,10 +88,18 @@ struct PassTime {
     double milliseconds = 0.0;
 };
 
-/// GPU times of one frame, in the order of its passes; empty on devices without timestamps.
+/// A number that was counted in a frame, by name: of the octree and the light caches.
+struct FrameCount {
+    std::string name;
+    double value = 0.0;
+};
+
+/// What was measured in one frame: GPU times in the order of its passes (empty on devices without timestamps), and
+/// what guiding counted (empty while it is off).
 struct FrameTimes {
     uint64_t frame = 0; // as Renderer::render returned it
     std::vector<PassTime> passes;
+    std::vector<FrameCount> counts;
 };
 
 /// What a window offers the renderer. Implemented by platform/sdl2 and platform/glfw.
@@ -135,6 +143,12 @@ public:
     virtual std::string describe_scene() const = 0;
     /// Text of one line: device and driver.
     virtual std::string describe_device() const = 0;
+    /// Text of `guiding`: the memory that octree and light caches take, by buffer; or that guiding is off.
+    virtual std::string describe_guiding() const = 0;
+    /// Text of `vlcinfo`: the octree's leaf under the middle of the last frame, and its light cache; or why there is none.
+    virtual std::string describe_leaf() const = 0;
+    /// Empties octree and light caches: the next frame learns anew.
+    virtual void reset_guiding() = 0;
     /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures); docs/export.md has units.
     virtual void export_scene(const Frame& frame, const std::string& path) = 0;
 };

@@ -69,11 +69,16 @@ public:
     std::vector<refresh::FrameTimes> take_frame_times(bool) override {
         std::vector<refresh::FrameTimes> times;
         for (; timed_ < rendered_; ++timed_)
-            times.push_back({timed_, {{"primary", 1.0}, {"shade", 3.0}}});
+            times.push_back({timed_,
+                             {{"primary", 1.0}, {"shade", 3.0}},
+                             {{"leaves", static_cast<double>(timed_)}}});
         return times;
     }
     std::string describe_scene() const override { return "a fake scene"; }
     std::string describe_device() const override { return "a fake device"; }
+    std::string describe_guiding() const override { return "fake guiding"; }
+    std::string describe_leaf() const override { return "a fake leaf"; }
+    void reset_guiding() override { log_.calls.emplace_back("reset guiding"); }
     void export_scene(const refresh::Frame&, const std::string& path) override {
         log_.calls.push_back("export " + path);
     }

@@ -7,6 +7,7 @@
 #include "common/output.h"
 #include "refresh/vkpt/export_source.h"
 #include "refresh/vkpt/frame_params.h"
+#include "refresh/vkpt/guiding/guiding_counts.h"
 #include "world/level.h"
 
 #include <algorithm>
@@ -55,6 +56,8 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
     accumulated_ = 0;
     accumulation_key_.clear();
     ray_query_failed_ = false;
+    shown_ = {};
+    guiding_work_ = {};
     reset_guiding();
 }
 
@@ -207,9 +210,15 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
                        {cvars()->pt_view, technique_id_, params.samples_lights != 0,
                         params.guided != 0, path_tracer_.size()});
         ++accumulated_;
+        shown_.guided = params.guided != 0;
+        shown_.bucket_size = static_cast<uint32_t>(params.cvars.pt_vlc_bucket);
+        shown_.dynamic_lights = static_cast<size_t>(
+            std::ranges::count_if(frame.dynamic_lights, [](const refresh::DynamicLight& light) {
+                return light.radius > 0.0f;
+            }));
     }
     present(commands, frame);
-    slot_frames_[slot] = frame_number_;
+    slot_frames_[slot] = {frame_number_, shown_.guided};
     return frame_number_++;
 }
 
@@ -291,11 +300,16 @@ refresh::RadiancePicture VkptRenderer::read_radiance() {
 void VkptRenderer::finish_slot(size_t slot) {
     if (!frames_[slot].finish()) return;
     refresh::FrameTimes times;
-    times.frame = slot_frames_[slot];
+    times.frame = slot_frames_[slot].number;
     for (size_t pass = 0; pass < std::size(pass_names); ++pass) {
         const double milliseconds = frames_[slot].timer().milliseconds(static_cast<uint32_t>(pass));
         if (milliseconds > 0.0)
             times.passes.push_back({std::string(pass_names[pass]), milliseconds});
+    }
+    if (slot_frames_[slot].guided) {
+        guiding_work_ = guiding_.statistics(slot);
+        for (const GuidingCount& count : guiding_counts(guiding_work_))
+            times.counts.push_back({std::string(count.name), count.value});
     }
     if (finished_times_.size() == max_finished_times) finished_times_.pop_front();
     finished_times_.push_back(std::move(times));
@@ -324,6 +338,7 @@ std::string VkptRenderer::describe_scene() const {
     text += fmt::format("\n  light sampling  {}: {}",
                         technique_infos[static_cast<size_t>(cvars()->pt_nee)].name,
                         technique_infos[static_cast<size_t>(cvars()->pt_nee)].help);
+    text += fmt::format("\n  guiding         {}", guiding_line());
     if (const uint32_t count = nonfinite_count(); count > 0)
         text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",
                             count);

@@ -30,6 +30,9 @@ public:
     std::vector<refresh::FrameTimes> take_frame_times(bool wait) override;
     std::string describe_scene() const override;
     std::string describe_device() const override;
+    std::string describe_guiding() const override;
+    std::string describe_leaf() const override;
+    void reset_guiding() override;
     void export_scene(const refresh::Frame& frame, const std::string& path) override;
 
     // For tests and benchmarks.
@@ -39,8 +42,6 @@ public:
     LightTechnique* technique() { return technique_.get(); }
     Guiding& guiding() { return guiding_; }
     const Legend& legend() const { return legend_; }
-    /// The next frame begins with an empty octree and empty caches.
-    void reset_guiding();
     /// Radiance values so far that were not finite.
     uint32_t nonfinite_count() const;
 
@@ -57,6 +58,8 @@ private:
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
     void finish_slot(size_t slot);
+    std::string guiding_off_text() const; // empty if it was on in the last frame
+    std::string guiding_line() const;     // of `scene`
     void present(gpu::FrameCommands& commands, const refresh::Frame& frame);
 
     FileSystem& files_;
@@ -83,8 +86,20 @@ private:
     uint64_t frame_number_ = 0;
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render
     std::vector<std::byte> accumulation_key_; // what the running mean depends on
-    std::array<uint64_t, frames_in_flight>
-        slot_frames_{}; // which frame a slot of frames_ rendered last
+    /// What the last frame showed, for texts about it.
+    struct Shown {
+        bool guided = false;
+        uint32_t bucket_size = 0;
+        size_t dynamic_lights = 0; // the last instances of the scene
+    };
+    Shown shown_;
+    /// Which frame a slot of frames_ rendered last, and whether guiding passes ran in it.
+    struct SlotFrame {
+        uint64_t number = 0;
+        bool guided = false;
+    };
+    std::array<SlotFrame, frames_in_flight> slot_frames_{};
+    shader::GuidingWork guiding_work_{}; // of the last frame that was finished with guiding
     std::deque<refresh::FrameTimes> finished_times_;
 };
 

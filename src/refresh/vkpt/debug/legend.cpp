@@ -39,7 +39,7 @@ void add_depth_bar(LegendContent& content) {
     // distances are.
     for (int i = 0; i < bar_steps; ++i)
         content.bar.emplace_back(1.0f - (static_cast<float>(i) + 0.5f) / bar_steps);
-    for (const float distance : {0.0f, 64.0f, 256.0f, 1024.0f, 8192.0f})
+    for (const float distance : {0.0f, 64.0f, 256.0f, 1024.0f})
         content.marks.push_back(
             {1.0f - shader::view_depth_grey(distance), fmt::format("{:.0f}", distance)});
 }
@@ -256,7 +256,10 @@ LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height) 
         y += layout.bar_height + 2 * scale + layout.line;
     }
     for (const LegendContent::Class& row : content.classes) {
-        fill(pixels, {layout.pad, y + 2 * scale}, {layout.swatch, layout.swatch}, row.color);
+        // Framed: classes may be as dark as the ground.
+        fill(pixels, {layout.pad, y + 2 * scale}, {layout.swatch, layout.swatch}, 0.5f * ink);
+        fill(pixels, {layout.pad + scale, y + 3 * scale},
+             {layout.swatch - 2 * scale, layout.swatch - 2 * scale}, row.color);
         letters.draw(pixels, {2 * layout.pad + layout.swatch, y}, row.text);
         y += layout.line;
     }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/guiding/leaf_report.h"
+
+#include "refresh/vkpt/gpu/commands.h"
+#include "shared/octree.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace vigil::vkpt {
+
+namespace {
+
+std::vector<uint32_t> download_words(const gpu::Device& device, const gpu::Buffer& buffer) {
+    return gpu::download_now_as<uint32_t>(device, buffer, 0, buffer.bytes() / sizeof(uint32_t));
+}
+
+} // namespace
+
+TreeCopy::TreeCopy(const gpu::Device& device, const Guiding& guiding) : header_(guiding.header()) {
+    device.wait_idle();
+    nodes_ = download_words(device, guiding.tree().nodes);
+    nodes_.erase(nodes_.begin()); // their number
+    leaves_ = download_words(device, guiding.tree().leaves);
+    vlc_lights_ = download_words(device, guiding.vlc_lights());
+}
+
+LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
+    LeafReport report;
+    // Walk down.
+    const glm::uvec3 grid = shader::octree_grid(position, header_.corner, header_.scale);
+    shader::OctreeCell cell{glm::uvec3(0), 0};
+    for (uint32_t node = 0; cell.depth < shader::OCTREE_MAX_DEPTH;) {
+        const uint32_t word = nodes_[node];
+        const uint32_t child = shader::octree_child(grid, cell.depth);
+        report.path.push_back(child);
+        cell = shader::octree_child_cell(cell, child);
+        if (shader::octree_is_leaf(word, child)) {
+            report.leaf = shader::octree_leaf(node, child);
+            break;
+        }
+        node = shader::octree_inner_child(word, child);
+    }
+    report.corner = header_.corner + glm::vec3(cell.corner) / header_.scale;
+    report.size = static_cast<float>(shader::octree_cell_size(cell.depth)) / header_.scale;
+
+    // What its arrays say.
+    const uint32_t leaf = report.leaf;
+    report.samples = leaf_word(shader::LEAF_COUNT, 1, leaf);
+    report.room = leaf_word(shader::LEAF_STORAGE, 2, leaf, 1);
+    report.source = leaf_word(shader::LEAF_SOURCE, 1, leaf);
+    for (uint32_t face = 0; face < 6; ++face)
+        report.neighbours[face] = leaf_word(shader::LEAF_NEIGHBOURS, 6, leaf, face);
+    const uint32_t first = leaf_word(shader::LEAF_VLC, 2, leaf);
+    report.buckets.resize(leaf_word(shader::LEAF_VLC, 2, leaf, 1));
+    for (size_t bucket = 0; bucket < report.buckets.size(); ++bucket) {
+        for (uint32_t i = 0; i < bucket_size; ++i) {
+            const uint32_t light = vlc_lights_[first + bucket * bucket_size + i];
+            if (light == shader::NONE) break;
+            report.buckets[bucket].push_back(light);
+        }
+    }
+    return report;
+}
+
+std::string leaf_text(const LeafReport& report) {
+    const auto name = [](uint32_t leaf) {
+        return leaf == shader::NONE ? std::string("-") : std::to_string(leaf);
+    };
+    std::string text = fmt::format("leaf {}: path {}, depth {}\n", report.leaf,
+                                   fmt::join(report.path, "."), report.path.size());
+    text += fmt::format("  cube            {:.1f} {:.1f} {:.1f} and on, {:.1f} map units wide\n",
+                        report.corner.x, report.corner.y, report.corner.z, report.size);
+    text += fmt::format("  samples         {} in this frame, room for {}, {} dropped\n",
+                        report.samples, report.room, report.dropped());
+    text += fmt::format("  source          leaf {} of the frame before\n", name(report.source));
+    const auto& beyond = report.neighbours;
+    text += fmt::format("  neighbours      -x {}  +x {}  -y {}  +y {}  -z {}  +z {}",
+                        name(beyond[0]), name(beyond[1]), name(beyond[2]), name(beyond[3]),
+                        name(beyond[4]), name(beyond[5]));
+    return text;
+}
+
+} // namespace vigil::vkpt

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the renderer says about its guiding: the memory it takes (`guiding`, `scene`), and the leaf
+// under the crosshair with the lights of its cache (`vlcinfo`).
+#include "refresh/vkpt/guiding/guiding_counts.h"
+#include "refresh/vkpt/guiding/leaf_report.h"
+#include "refresh/vkpt/renderer.h"
+#include "shared/brdf.h"
+#include "shared/triangle_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace vigil::vkpt {
+
+namespace {
+
+/// A table that nobody reads to the end is cut.
+constexpr size_t most_buckets_listed = 8, most_lights_listed = 10;
+
+double mebibytes(uint64_t bytes) {
+    return static_cast<double>(bytes) / 1048576.0;
+}
+
+/// Power of a light's lit side, luminance: radiance times area times pi.
+float power_of(const shader::Light& light) {
+    return shader::PI * shader::light_area(light) * shader::luminance(light.radiance);
+}
+
+/// Ids of the lights of an instance that is not the world: `count` from `first`.
+struct LightRange {
+    uint32_t first = 0, count = 0;
+};
+
+LightRange lights_of_instance(const Scene& scene, size_t index) {
+    const Scene::TriangleRange range = scene.instance_triangles(index);
+    LightRange lights{scene.host_instances()[index].first_light, 0};
+    for (uint32_t i = range.first; i < range.first + range.count; ++i) {
+        const uint32_t light = scene.host_primitives()[i].light;
+        if (light != shader::NONE) lights.count = std::max(lights.count, light + 1);
+    }
+    return lights;
+}
+
+/// What the light of this id belongs to. The last `dynamic_lights` instances are dynamic lights.
+std::string owner_text(const Scene& scene, uint32_t id, size_t dynamic_lights) {
+    if (id < scene.lights().static_count()) return "static world";
+    const std::vector<shader::Instance>& instances = scene.host_instances();
+    for (size_t i = 1; i < instances.size(); ++i) {
+        const LightRange range = lights_of_instance(scene, i);
+        if (id < range.first || id >= range.first + range.count) continue;
+        const bool dynamic = i + dynamic_lights >= instances.size();
+        return fmt::format("{} {}", dynamic ? "dynamic light" : "entity", instances[i].entity);
+    }
+    return "of nothing that is there now";
+}
+
+/// One line per light, the strongest first.
+std::string lights_text(const Scene& scene, std::vector<uint32_t> ids, size_t dynamic_lights) {
+    const std::span<const shader::Light> lights = scene.lights().lights();
+    const auto power = [&](uint32_t id) {
+        return id < lights.size() ? power_of(lights[id]) : 0.0f;
+    };
+    std::ranges::stable_sort(ids, std::greater{}, power);
+    std::string text;
+    for (size_t i = 0; i < std::min(ids.size(), most_lights_listed); ++i)
+        text += fmt::format("\n    light {:<6} power {:<10.4g} {}", ids[i], power(ids[i]),
+                            owner_text(scene, ids[i], dynamic_lights));
+    if (ids.size() > most_lights_listed)
+        text += fmt::format("\n    and {} weaker ones", ids.size() - most_lights_listed);
+    return text;
+}
+
+std::string cache_text(const Scene& scene, const LeafReport& report, size_t dynamic_lights) {
+    size_t count = 0;
+    for (const std::vector<uint32_t>& bucket : report.buckets)
+        count += bucket.size();
+    std::string text =
+        fmt::format("  cache           {} lights in {} buckets", count, report.buckets.size());
+    for (size_t i = 0; i < std::min(report.buckets.size(), most_buckets_listed); ++i) {
+        const std::vector<uint32_t>& bucket = report.buckets[i];
+        text += fmt::format("\n  bucket {}: {} lights", i, bucket.size());
+        text += lights_text(scene, bucket, dynamic_lights);
+    }
+    if (report.buckets.size() > most_buckets_listed)
+        text += fmt::format("\n  and {} more buckets", report.buckets.size() - most_buckets_listed);
+    return text;
+}
+
+/// Where a point of an instance was in the frame before.
+glm::vec3 position_before(const shader::Instance& instance, glm::vec3 position) {
+    const glm::vec3 local = instance.object_from_world * glm::vec4(position, 1.0f);
+    return instance.previous_world_from_object * glm::vec4(local, 1.0f);
+}
+
+} // namespace
+
+std::string VkptRenderer::guiding_off_text() const {
+    if (!scene_) return "no level is loaded";
+    if (shown_.guided) return {};
+    return fmt::format("guiding was off in the last frame: pt_nee {} learns nothing",
+                       technique_infos[static_cast<size_t>(technique_id_)].name);
+}
+
+std::string VkptRenderer::describe_guiding() const {
+    if (std::string off = guiding_off_text(); !off.empty()) return off;
+    const Guiding::Tree& tree = guiding_.tree();
+    // There are two trees, the one before and the one of the frame.
+    const uint64_t trees = 2 * (tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes());
+    const uint64_t samples = guiding_.samples().bytes(), caches = guiding_.vlc_lights().bytes();
+    const uint64_t total = guiding_.memory_bytes();
+    std::string text = "guiding memory, bytes";
+    const auto row = [&](std::string_view name, uint64_t bytes) {
+        text += fmt::format("\n  {:<22} {:>12}  {:8.2f} MiB", name, bytes, mebibytes(bytes));
+    };
+    row("octree nodes, twice", 2 * tree.nodes.bytes());
+    row("octree cells, twice", 2 * tree.cells.bytes());
+    row("octree leaves, twice", 2 * tree.leaves.bytes());
+    row("light samples", samples);
+    row("light caches", caches);
+    row("plan and lists", total - trees - samples - caches);
+    row("all", total);
+    const shader::GuidingHeader& header = guiding_.header();
+    text += fmt::format("\n  room for {} inner nodes, {} light samples, {} light ids in caches",
+                        header.node_capacity, header.sample_capacity, header.vlc_capacity);
+    return text;
+}
+
+std::string VkptRenderer::guiding_line() const {
+    if (!shown_.guided) return "off";
+    return fmt::format("octree of {} leaves, depth {}; {} caches; {:.1f} MiB",
+                       octree_leaf_count(guiding_work_.nodes), guiding_work_.depth,
+                       guiding_work_.cached_leaves, mebibytes(guiding_.memory_bytes()));
+}
+
+std::string VkptRenderer::describe_leaf() const {
+    if (std::string off = guiding_off_text(); !off.empty()) return off;
+    device_.wait_idle();
+    const glm::uvec2 size = path_tracer_.size(), centre = size / 2u;
+    const shader::PrimaryHit hit = gpu::download_now_as<shader::PrimaryHit>(
+        device_, path_tracer_.primary_hits(), uint64_t{centre.y} * size.x + centre.x, 1)[0];
+    if (hit.primitive == shader::NONE)
+        return "nothing under the crosshair that light could fall on (sky, or the inside of a "
+               "wall)";
+
+    const TreeCopy tree(device_, guiding_);
+    const LeafReport now = tree.leaf_at(hit.position, shown_.bucket_size);
+    const glm::vec3 earlier = position_before(scene_->host_instances()[hit.instance], hit.position);
+    const LeafReport before =
+        tree.leaf_at(hit.instance == 0 ? hit.position : earlier, shown_.bucket_size);
+    std::string text = fmt::format("under the crosshair: {:.1f} {:.1f} {:.1f}\n", hit.position.x,
+                                   hit.position.y, hit.position.z);
+    text += leaf_text(now) + "\n";
+    // What moves uses the cache of where it was.
+    if (before.leaf != now.leaf)
+        text += "its light cache is that of where it was a frame ago:\n" + leaf_text(before) + "\n";
+    return text + cache_text(*scene_, before, shown_.dynamic_lights);
+}
+
+} // namespace vigil::vkpt
