@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The program `vigil_bench`: measurements by name. A benchmark is a row of the table; everything
 // else about it is in its own file.
+#include "bench/quality_bench.h"
 #include "bench/trace_bench.h"
 #include "common/error.h"
 
@@ -19,6 +20,8 @@ struct Bench {
 };
 
 constexpr Bench benches[] = {
+    {"quality", "error of every technique at one sample per pixel, and its cost",
+     vigil::bench::run_quality_bench},
     {"trace", "rays per second, next to Embree on the same rays", vigil::bench::run_trace_bench},
 };
 

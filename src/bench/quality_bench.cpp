@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The order of events: for every view all frames of all rows, then a reference that is good enough
+// for the best of them, then the errors.
+#include "bench/quality_bench.h"
+
+#include "bench/quality_progress.h"
+#include "bench/quality_renderer.h"
+#include "bench/quality_report.h"
+#include "common/cvar.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "common/output.h"
+#include "refresh/vkpt/passes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+namespace vigil::bench {
+
+namespace {
+
+/// Before this many batches a reference's own variance is not believed.
+constexpr int least_batches = 6;
+
+using Pictures = std::vector<std::vector<std::vector<float>>>; // [row][seed or frame]: a picture
+
+/// Clamped settings and missing textures must be seen; what levels contain need not.
+class WarningLog {
+public:
+    WarningLog()
+        : sink_(add_log_sink([](Severity severity, std::string_view line) {
+              if (severity != Severity::Info) fmt::print(stderr, "{}\n", line);
+          })) {}
+    ~WarningLog() { remove_log_sink(sink_); }
+    WarningLog(const WarningLog&) = delete;
+    WarningLog& operator=(const WarningLog&) = delete;
+
+private:
+    int sink_;
+};
+
+/// The reference of a pose, from the cache and with more batches until `enough` or the most paths.
+ViewResult make_reference(const QualityOptions& options, QualityRenderer& renderer,
+                          const Place& place, Progress& progress, Reference& reference,
+                          const std::function<bool(const Reference&)>& enough) {
+    const Pose& pose = place.measured();
+    const std::string key = renderer.reference_key(pose, options.reference);
+    const std::filesystem::path path = output_path(
+        fmt::format("cache/reference-{:016x}.bin", hash_bytes(std::as_bytes(std::span(key)))));
+    if (!options.fresh) reference.load(path, key);
+    const int most = std::max(least_batches, options.reference_paths / reference_batch_paths);
+    const int before = reference.batches();
+    const auto finished = [&] { return reference.batches() >= least_batches && enough(reference); };
+    while (!finished() && reference.batches() < most) {
+        if (reference.batches() == before) renderer.begin_reference(pose, options.reference);
+        reference.add(renderer.reference_batch(pose, reference.batches()));
+        progress.note(
+            fmt::format("reference, {} paths", reference.batches() * reference_batch_paths));
+        // So that an interrupted run loses little.
+        if (reference.batches() % 16 == 0) reference.save(path, key);
+    }
+    if (reference.batches() > before) reference.save(path, key);
+    return {place,
+            options.reference,
+            reference.batches() * reference_batch_paths,
+            finished(),
+            reference.picture_mean(),
+            reference.picture_mean_error(),
+            reference.mean_variance(),
+            relative_variance(reference)};
+}
+
+/// The smallest mean error of a row's pictures.
+double smallest_mse(const Pictures& pictures, const Reference& reference) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto& row : pictures) {
+        double sum = 0.0;
+        for (const std::vector<float>& picture : row)
+            sum += picture_error(picture, reference).mse;
+        smallest = std::min(smallest, sum / static_cast<double>(row.size()));
+    }
+    return smallest;
+}
+
+double sum_of_passes(const Measurement& measured, vkpt::Pass first, vkpt::Pass last) {
+    double sum = 0.0;
+    for (auto pass = static_cast<std::size_t>(first); pass <= static_cast<std::size_t>(last);
+         ++pass)
+        sum += measured.pass_ms[pass];
+    return sum;
+}
+
+void add_measurement(RowResult& row, const Measurement& measured) {
+    row.unlit.back().push_back(measured.unlit);
+    row.explored.back().push_back(measured.explored);
+    for (std::size_t pass = 0; pass < measured.pass_ms.size(); ++pass)
+        row.pass_ms[pass].back().push_back(measured.pass_ms[pass]);
+    // Between the copies to the device and the camera rays lie the passes of guiding.
+    const auto after_upload = static_cast<vkpt::Pass>(static_cast<int>(vkpt::Pass::Upload) + 1);
+    const auto before_rays = static_cast<vkpt::Pass>(static_cast<int>(vkpt::Pass::Primary) - 1);
+    row.prepare_ms.back().push_back(sum_of_passes(measured, after_upload, before_rays));
+    row.path_ms.back().push_back(
+        sum_of_passes(measured, vkpt::Pass::Primary, vkpt::Pass::Indirect));
+}
+
+void begin_view(RowResult& row) {
+    for (Strata* strata : {&row.mse, &row.relative_mse, &row.mean_ratio, &row.unlit, &row.explored,
+                           &row.prepare_ms, &row.path_ms})
+        strata->emplace_back();
+    row.pass_ms.resize(std::size(vkpt::pass_names));
+    for (Strata& strata : row.pass_ms)
+        strata.emplace_back();
+}
+
+LevelResult measure_level(const QualityOptions& options, QualityRenderer& renderer,
+                          const std::string& level, Progress& progress) {
+    LevelResult result{level, {}, {}, 0};
+    for (const QualityRow& row : options.rows)
+        result.rows.push_back({row, {}, {}, {}, {}, {}, {}, {}, {}});
+    for (const Place& place : renderer.places()) {
+        // All rows take turns, so that whatever else the machine does falls on all of them.
+        Pictures pictures(options.rows.size());
+        for (RowResult& row : result.rows)
+            begin_view(row);
+        for (int seed = 0; seed < options.seeds; ++seed) {
+            for (std::size_t row = 0; row < options.rows.size(); ++row) {
+                Measurement measured =
+                    renderer.measure(place, options.rows[row], options.first_seed + seed);
+                add_measurement(result.rows[row], measured);
+                pictures[row].push_back(std::move(measured.picture));
+                progress.advance(
+                    fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
+            }
+        }
+        Reference reference(pictures[0][0].size());
+        result.views.push_back(make_reference(
+            options, renderer, place, progress, reference, [&](const Reference& present) {
+                return present.mean_variance() <=
+                       options.reference_share * smallest_mse(pictures, present);
+            }));
+        for (std::size_t row = 0; row < pictures.size(); ++row) {
+            for (const std::vector<float>& picture : pictures[row]) {
+                const PictureError error = picture_error(picture, reference);
+                result.rows[row].mse.back().push_back(error.mse);
+                result.rows[row].relative_mse.back().push_back(error.relative_mse);
+                result.rows[row].mean_ratio.back().push_back(error.mean_ratio);
+            }
+        }
+    }
+    result.nonfinite = renderer.nonfinite_count();
+    return result;
+}
+
+CurveResult measure_curve(const QualityOptions& options, QualityRenderer& renderer,
+                          const std::string& level, Progress& progress) {
+    CurveResult result{level, {}, {}};
+    for (const QualityRow& row : options.rows)
+        result.rows.push_back({row, std::vector<Strata>(options.curve_frames)});
+    for (const Place& place : renderer.places()) {
+        // [row * seeds + seed][frame]
+        Pictures pictures(options.rows.size() * options.seeds);
+        for (int seed = 0; seed < options.seeds; ++seed) {
+            for (std::size_t row = 0; row < options.rows.size(); ++row) {
+                pictures[row * options.seeds + seed] =
+                    renderer.stand_still(place.measured(), options.rows[row],
+                                         options.first_seed + seed, options.curve_frames);
+                progress.advance(
+                    fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
+            }
+        }
+        // The last frames are the best ones.
+        Pictures last(options.rows.size());
+        for (std::size_t run = 0; run < pictures.size(); ++run)
+            last[run / options.seeds].push_back(pictures[run].back());
+        Reference reference(last[0][0].size());
+        result.views.push_back(make_reference(
+            options, renderer, place, progress, reference, [&](const Reference& present) {
+                return present.mean_variance() <=
+                       options.reference_share * smallest_mse(last, present);
+            }));
+        for (std::size_t row = 0; row < options.rows.size(); ++row) {
+            for (int frame = 0; frame < options.curve_frames; ++frame) {
+                std::vector<double> errors;
+                for (int seed = 0; seed < options.seeds; ++seed)
+                    errors.push_back(
+                        picture_error(pictures[row * options.seeds + seed][frame], reference).mse);
+                result.rows[row].mse[frame].push_back(std::move(errors));
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+int run_quality_bench(std::span<const std::string> arguments) {
+    const WarningLog warnings;
+    cvars().set("pt_jitter", "0"); // references show the pixels that single frames show
+    const QualityOptions options = parse_quality_options(arguments);
+    for (const Setting& setting : options.settings)
+        cvars().set(setting.name, setting.value);
+    const std::filesystem::path path =
+        options.json.empty() ? output_path(options.curve ? "quality_curve.json" : "quality.json")
+                             : std::filesystem::path(options.json);
+
+    nlohmann::ordered_json report;
+    Progress progress(options);
+    int failures = 0;
+    for (const std::string& level : options.levels) {
+        try {
+            progress.begin(level);
+            QualityRenderer renderer(options, level);
+            if (report.empty()) {
+                report = settings_json(options, renderer.device());
+                fmt::print("{}\n", renderer.device());
+            }
+            if (options.curve) {
+                const CurveResult result = measure_curve(options, renderer, level, progress);
+                fmt::print("{}", curve_text(options, result));
+                report["levels"].push_back(curve_json(result));
+            } else {
+                const LevelResult result = measure_level(options, renderer, level, progress);
+                fmt::print("{}", quality_text(options, result));
+                report["levels"].push_back(quality_json(options, result));
+            }
+        } catch (const Error& error) {
+            fmt::print(stderr, "{}: {}\n", level, error.what());
+            progress.skip_level();
+            ++failures;
+        }
+        // After every level, so that an interrupted run leaves what it has.
+        std::fflush(stdout);
+        if (report.contains("levels")) write_file(path, report.dump(1) + "\n");
+    }
+    if (report.contains("levels")) fmt::print("\nreport: {}\n", path.string());
+    return failures == 0 ? 0 : 1;
+}
+
+} // namespace vigil::bench

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The report that programs read: everything that was printed, and the single values behind it.
+// Numbers that do not exist are null.
+#include "bench/quality_report.h"
+
+#include "common/cvar.h"
+#include "refresh/vkpt/passes.h"
+
+namespace vigil::bench {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json to_json(const Interval& interval) {
+    return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
+}
+
+ordered_json to_json(const QualityRow& row) {
+    ordered_json variables = ordered_json::object();
+    for (const Setting& setting : row.settings)
+        variables[setting.name] = setting.value;
+    return {{"label", row.label}, {"variables", std::move(variables)}};
+}
+
+ordered_json to_json(const std::vector<ViewResult>& views) {
+    ordered_json list = ordered_json::array();
+    for (const ViewResult& view : views) {
+        const Pose& pose = view.place.measured();
+        list.push_back({{"name", view.place.name},
+                        {"origin", {pose.origin.x, pose.origin.y, pose.origin.z}},
+                        {"angles", {pose.angles.x, pose.angles.y, pose.angles.z}},
+                        {"time_s", pose.time_s},
+                        {"reference",
+                         {{"technique", view.technique},
+                          {"paths", view.paths},
+                          {"reached", view.reached},
+                          {"mean", view.mean},
+                          {"mean_error", view.mean_error},
+                          {"variance", view.variance},
+                          {"relative_variance", view.relative_variance}}}});
+    }
+    return list;
+}
+
+} // namespace
+
+Settled settled_of(const CurveRow& row) {
+    std::vector<double> means;
+    for (const Strata& frame : row.mse)
+        means.push_back(mean_interval(frame).value);
+    return settle(means, settled_tail, settled_factor);
+}
+
+ordered_json quality_json(const QualityOptions& options, const LevelResult& result) {
+    const RowResult* baseline = &result.rows.front();
+    for (const RowResult& row : result.rows)
+        if (row.row.label == options.baseline) baseline = &row;
+    ordered_json rows = ordered_json::array();
+    for (const RowResult& row : result.rows) {
+        ordered_json json = to_json(row.row);
+        const auto add = [&](const std::string& name, Strata RowResult::*member) {
+            json[name] = to_json(mean_interval(row.*member));
+            json[name]["by_view_and_seed"] = row.*member;
+        };
+        const auto add_error = [&](const std::string& name, Strata RowResult::*member) {
+            add(name, member);
+            json[name]["ratio"] = to_json(ratio_interval(row.*member, baseline->*member));
+            json[name]["ratio_over_views"] =
+                to_json(ratio_over_views(row.*member, baseline->*member));
+        };
+        add_error("mse", &RowResult::mse);
+        add_error("relative_mse", &RowResult::relative_mse);
+        add("mean_ratio", &RowResult::mean_ratio);
+        add("unlit", &RowResult::unlit);
+        add("explored", &RowResult::explored);
+        add("path_ms", &RowResult::path_ms);
+        json["path_ms"]["ratio"] = to_json(median_ratio(row.path_ms, baseline->path_ms));
+        add("prepare_ms", &RowResult::prepare_ms);
+        json["prepare_ms"]["share_of_path"] = to_json(median_ratio(row.prepare_ms, row.path_ms));
+        ordered_json passes = ordered_json::object();
+        for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
+            passes[std::string(vkpt::pass_names[pass])] = row.pass_ms[pass];
+        json["pass_ms"] = std::move(passes);
+        rows.push_back(std::move(json));
+    }
+    return {{"level", result.level},
+            {"views", to_json(result.views)},
+            {"nonfinite", result.nonfinite},
+            {"rows", std::move(rows)}};
+}
+
+ordered_json curve_json(const CurveResult& result) {
+    ordered_json rows = ordered_json::array();
+    for (const CurveRow& row : result.rows) {
+        ordered_json json = to_json(row.row);
+        const Settled settled = settled_of(row);
+        json["settled"] = {{"mse", settled.level},
+                           {"tail", settled_tail},
+                           {"factor", settled_factor},
+                           {"frame", settled.frame}};
+        json["frames"] = ordered_json::array();
+        for (const Strata& frame : row.mse) {
+            json["frames"].push_back(to_json(mean_interval(frame)));
+            json["frames"].back()["by_view_and_seed"] = frame;
+        }
+        rows.push_back(std::move(json));
+    }
+    return {{"level", result.level}, {"views", to_json(result.views)}, {"rows", std::move(rows)}};
+}
+
+ordered_json settings_json(const QualityOptions& options, const std::string& device) {
+    ordered_json variables = ordered_json::object();
+    for (const CvarInfo& info : cvar_infos) {
+        const std::string value = cvar_text(info, cvars().values());
+        if (value != cvar_default_text(info)) variables[std::string(info.name)] = value;
+    }
+    ordered_json rows = ordered_json::array();
+    for (const QualityRow& row : options.rows)
+        rows.push_back(to_json(row));
+    return {{"measured", options.curve ? "curve" : "quality"},
+            {"device", device},
+            {"width", options.size.x},
+            {"height", options.size.y},
+            {"seeds", options.seeds},
+            {"first_seed", options.first_seed},
+            {"warmup", options.warmup},
+            {"camera_fps", place_fps},
+            {"baseline", options.baseline},
+            {"reference_paths", options.reference_paths},
+            {"reference_share", options.reference_share},
+            {"variables", std::move(variables)},
+            {"rows", std::move(rows)}};
+}
+
+} // namespace vigil::bench

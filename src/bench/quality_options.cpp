@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/quality_options.h"
+
+#include "common/cvar.h"
+#include "common/error.h"
+#include "shared/techniques.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <functional>
+#include <map>
+
+namespace vigil::bench {
+
+namespace {
+
+constexpr std::string_view usage =
+    "--level NAME, --basedir FOLDER, --shared, --views N, --seeds S, --first-seed N, --warmup W, "
+    "--size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, --baseline "
+    "LABEL, --reference NAME, --reference-paths N, --fresh, --curve, --curve-frames N, --quick, "
+    "--json FILE";
+
+int parse_count(std::string_view option, std::string_view text, int low, int high) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < low || number > high)
+        fail("{} {}: expected a whole number, {} to {}", option, text, low, high);
+    return number;
+}
+
+bool is_technique(std::string_view name) {
+    return std::ranges::any_of(technique_infos,
+                               [name](const TechniqueInfo& info) { return info.name == name; });
+}
+
+void need_technique(std::string_view name) {
+    if (!is_technique(name)) fail("{}: no such technique; known are {}", name, technique_choices);
+}
+
+QualityRow technique_row(std::string_view name) {
+    return {std::string(name), {{"pt_nee", std::string(name)}}};
+}
+
+void set_quick(QualityOptions& options) {
+    options.levels = {"warehouse"};
+    options.views = 2;
+    options.seeds = 3;
+    options.warmup = 8;
+    options.size = {160, 90};
+}
+
+void set_size(QualityOptions& options, std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos) fail("--size {}: expected WIDTHxHEIGHT", text);
+    options.size = {parse_count("--size", text.substr(0, cross), 16, 16384),
+                    parse_count("--size", text.substr(cross + 1), 16, 16384)};
+}
+
+std::vector<std::filesystem::path> default_basedirs() {
+    std::vector<std::filesystem::path> folders = {".", VIGIL_SOURCE_DIR};
+    if (const char* shared = std::getenv("VIGIL_SHARED"))
+        folders.push_back(std::filesystem::path(shared) / "levels");
+    folders.push_back(std::filesystem::path(VIGIL_SOURCE_DIR) / "../shared/levels");
+    return folders;
+}
+
+/// Fills what the command line left open.
+void complete(QualityOptions& options, std::vector<QualityRow> techniques,
+              const std::vector<QualityRow>& variants) {
+    if (options.levels.empty()) options.levels = {"warehouse", "mine", "gallery"};
+    if (options.basedirs.empty()) options.basedirs = default_basedirs();
+    if (techniques.empty()) {
+        techniques = technique_rows();
+        // Only these two have anything to tell frame by frame.
+        if (options.curve)
+            std::erase_if(techniques, [](const QualityRow& row) {
+                return row.label != "sll" && row.label != "vlc";
+            });
+    }
+    options.rows = std::move(techniques);
+    options.rows.insert(options.rows.end(), variants.begin(), variants.end());
+    for (auto row = options.rows.begin(); row != options.rows.end(); ++row)
+        if (std::any_of(options.rows.begin(), row,
+                        [&](const QualityRow& other) { return other.label == row->label; }))
+            fail("two rows are called {}", row->label);
+    const auto has_row = [&](std::string_view label) {
+        return std::ranges::any_of(options.rows,
+                                   [&](const QualityRow& row) { return row.label == label; });
+    };
+    if (options.baseline.empty())
+        options.baseline = has_row("sll") ? "sll" : options.rows.front().label;
+    if (!has_row(options.baseline)) fail("--baseline {}: no such row", options.baseline);
+    if (options.reference.empty()) options.reference = is_technique("vlc") ? "vlc" : "sll";
+}
+
+} // namespace
+
+QualityRow parse_variant(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    if (colon == 0 || colon == std::string_view::npos)
+        fail("--variant {}: expected LABEL:NAME=VALUE,NAME=VALUE", text);
+    QualityRow row{std::string(text.substr(0, colon)), {}};
+    text.remove_prefix(colon + 1);
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(','));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        const std::size_t equals = word.find('=');
+        if (equals == 0 || equals == std::string_view::npos)
+            fail("--variant {}: {} is not NAME=VALUE", row.label, word);
+        const std::string_view name = word.substr(0, equals);
+        if (!find_cvar(name)) fail("--variant {}: no variable is called {}", row.label, name);
+        row.settings.push_back({std::string(name), std::string(word.substr(equals + 1))});
+    }
+    if (row.settings.empty()) fail("--variant {}: no variables", row.label);
+    return row;
+}
+
+std::vector<QualityRow> technique_rows() {
+    std::vector<QualityRow> rows;
+    for (const TechniqueInfo& info : technique_infos)
+        if (info.name != "brute") rows.push_back(technique_row(info.name));
+    return rows;
+}
+
+QualityOptions parse_quality_options(std::span<const std::string> arguments) {
+    QualityOptions options;
+    std::vector<QualityRow> techniques, variants;
+    std::vector<std::string> levels; // named ones replace the default
+    std::size_t next = 0;
+    const auto value = [&]() -> const std::string& {
+        if (next >= arguments.size()) fail("{} needs a value", arguments.back());
+        return arguments[next++];
+    };
+    const auto count = [&](std::string_view option, int& number, int low, int high) {
+        number = parse_count(option, value(), low, high);
+    };
+    const std::map<std::string_view, std::function<void()>> actions = {
+        {"--quick", [] {}}, // below, before all others
+        {"--level", [&] { levels.push_back(value()); }},
+        {"--basedir", [&] { options.basedirs.emplace_back(value()); }},
+        {"--shared",
+         [&] {
+             levels.insert(levels.end(), {"dm3", "e1m1", "e3m4", "e3m6", "end", "start"});
+         }},
+        {"--views", [&] { count("--views", options.views, 1, 1000); }},
+        {"--seeds", [&] { count("--seeds", options.seeds, 1, 1000); }},
+        {"--first-seed", [&] { count("--first-seed", options.first_seed, 0, 1000000); }},
+        {"--warmup", [&] { count("--warmup", options.warmup, 0, 900); }},
+        {"--size", [&] { set_size(options, value()); }},
+        {"--technique",
+         [&] {
+             techniques.push_back(technique_row(value()));
+             need_technique(techniques.back().label);
+         }},
+        {"--variant", [&] { variants.push_back(parse_variant(value())); }},
+        {"--set",
+         [&] {
+             const std::string name = value();
+             if (!find_cvar(name)) fail("--set {}: no such variable", name);
+             options.settings.push_back({name, value()});
+         }},
+        {"--baseline", [&] { options.baseline = value(); }},
+        {"--reference",
+         [&] {
+             options.reference = value();
+             need_technique(options.reference);
+         }},
+        {"--reference-paths",
+         [&] { count("--reference-paths", options.reference_paths, 2, 100000000); }},
+        {"--fresh", [&] { options.fresh = true; }},
+        {"--curve", [&] { options.curve = true; }},
+        {"--curve-frames", [&] { count("--curve-frames", options.curve_frames, 9, 900); }},
+        {"--json", [&] { options.json = value(); }},
+    };
+    if (std::ranges::find(arguments, "--quick") != arguments.end()) set_quick(options);
+    while (next < arguments.size()) {
+        const std::string& option = arguments[next++];
+        const auto action = actions.find(option);
+        if (action == actions.end()) fail("{}: unknown option; known are {}", option, usage);
+        action->second();
+    }
+    if (!levels.empty()) options.levels = std::move(levels);
+    complete(options, std::move(techniques), variants);
+    return options;
+}
+
+} // namespace vigil::bench

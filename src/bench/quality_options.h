@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the quality benchmark is asked to do, as data: levels, rows (a technique with variables),
+// and how often and how long to measure. Parsed from the command line; docs/quality.md lists it.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vigil::bench {
+
+/// A console variable and its value as text.
+struct Setting {
+    std::string name;
+    std::string value;
+};
+
+/// One row of the tables: what it is called, and the variables that make it what it is.
+struct QualityRow {
+    std::string label;
+    std::vector<Setting> settings;
+};
+
+struct QualityOptions {
+    std::vector<std::string> levels;
+    std::vector<std::filesystem::path> basedirs; // the first that has the level is taken
+    std::vector<Setting> settings;               // for all rows and references
+    std::vector<QualityRow> rows;
+    std::string baseline;          // label of the row that others are compared with
+    std::string reference;         // technique that renders references
+    int views = 4;                 // places per level
+    int seeds = 8;                 // repeats
+    int first_seed = 1;            // pt_seed of the first
+    int warmup = 16;               // frames before the measured one
+    glm::ivec2 size{320, 180};     // pixels
+    int reference_paths = 1024;    // most paths per pixel of a reference
+    double reference_share = 0.02; // of the smallest MSE: variance that a reference may have
+    bool fresh = false;            // references are made anew
+    bool curve = false;            // error per frame from an empty cache, standing still
+    int curve_frames = 24;
+    std::string json; // empty: outdir/quality.json
+};
+
+/// Parses the words after `quality`. Throws Error that lists the options when one is unknown, and
+/// when a value is no number, out of range, or names no technique.
+QualityOptions parse_quality_options(std::span<const std::string> arguments);
+
+/// "LABEL:NAME=VALUE,NAME=VALUE". Throws Error when it is not of this form or no variable is called
+/// NAME.
+QualityRow parse_variant(std::string_view text);
+
+/// One row per technique, in the order of shaders/shared/techniques.h, without `brute`.
+std::vector<QualityRow> technique_rows();
+
+} // namespace vigil::bench

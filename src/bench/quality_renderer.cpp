@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/quality_renderer.h"
+
+#include "bench/quality_estimate.h"
+#include "common/cvar.h"
+#include "common/error.h"
+#include "refresh/vkpt/gpu/commands.h"
+#include "refresh/vkpt/passes.h"
+#include "refresh/vkpt/shader_library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vigil::bench {
+
+namespace {
+
+/// pt_seed of a reference's first batch; measured frames have smaller ones.
+constexpr int first_reference_seed = 1 << 30;
+
+/// Variables that choose random numbers, number of paths, or what is done with finished radiance.
+bool changes_reference(std::string_view name) {
+    static constexpr std::string_view others[] = {
+        "pt_nee",      "pt_seed",          "pt_spp",     "pt_accumulate",
+        "pt_exposure", "pt_exposure_bias", "pt_tonemap", "pt_view"};
+    if (name == "fov") return true;
+    return name.starts_with("pt_") && std::ranges::find(others, name) == std::end(others);
+}
+
+std::filesystem::path folder_of(const QualityOptions& options, const std::string& level) {
+    for (const std::filesystem::path& basedir : options.basedirs)
+        if (std::filesystem::exists(basedir / "baseq2/maps" / (level + ".bsp"))) return basedir;
+    fail("{}: not in any of the folders (--basedir FOLDER adds one)", level);
+}
+
+std::uint64_t shader_hash(const std::string& technique) {
+    std::uint64_t hash = hash_bytes({});
+    for (const std::string& name :
+         {std::string("primary"), "direct." + technique, "indirect." + technique})
+        for (const char* backend : {"", ".query"})
+            hash = hash_bytes(std::as_bytes(vkpt::shader_code(name + backend)), hash);
+    return hash;
+}
+
+} // namespace
+
+std::size_t pass_index(std::string_view name) {
+    const auto found = std::ranges::find(vkpt::pass_names, name);
+    return static_cast<std::size_t>(found - std::begin(vkpt::pass_names));
+}
+
+QualityRenderer::QualityRenderer(const QualityOptions& options, const std::string& level)
+    : level_name_(level) {
+    const std::filesystem::path basedir = folder_of(options, level);
+    set("vid_width", std::to_string(options.size.x));
+    set("vid_height", std::to_string(options.size.y));
+    if (cvars()->pt_jitter == 1)
+        fail("pt_jitter 1 moves the pixels of references only; set 0 or 2");
+    for (const QualityRow& row : options.rows)
+        for (const Setting& setting : row.settings)
+            base_.push_back({setting.name, cvars().get_text(setting.name)});
+    for (const char* name : {"pt_nee", "pt_spp"}) // references set them
+        base_.push_back({name, cvars().get_text(name)});
+
+    files_.mount_game(basedir, "baseq2");
+    renderer_ = std::make_unique<vkpt::VkptRenderer>(files_, nullptr);
+    session_ = std::make_unique<client::Session>(files_, *renderer_, cvars());
+    session_->load_map(level);
+
+    const std::string route = fmt::format("routes/{}.route", level);
+    places_ = files_.exists(route)
+                  ? route_places(client::Route::parse(route, files_.read_text(route)),
+                                 options.views, options.warmup)
+                  : start_places(session_->level()->bsp, options.views, options.warmup);
+
+    content_hash_ = hash_bytes({});
+    for (const std::string& file : {"maps/" + level + ".bsp", std::string("materials.json")}) {
+        if (!files_.exists(file)) continue;
+        const std::vector<std::uint8_t> content = files_.read(file);
+        content_hash_ = hash_bytes(std::as_bytes(std::span(content)), content_hash_);
+    }
+}
+
+QualityRenderer::~QualityRenderer() {
+    for (const Setting& setting : base_)
+        cvars().set(setting.name, setting.value);
+}
+
+void QualityRenderer::set(const std::string& name, const std::string& value) {
+    cvars().set(name, value);
+}
+
+void QualityRenderer::begin_run(const QualityRow& row, int seed) {
+    for (const Setting& setting : base_)
+        set(setting.name, setting.value);
+    for (const Setting& setting : row.settings)
+        set(setting.name, setting.value);
+    set("pt_seed", std::to_string(seed));
+    set("pt_accumulate", "0");
+    renderer_->reset_guiding();
+}
+
+std::uint64_t QualityRenderer::render(const Pose& pose) {
+    // The session's own clock only moves on; a run starts at any time.
+    refresh::Frame frame = session_->frame();
+    frame.view.origin = pose.origin;
+    frame.view.angles = pose.angles;
+    frame.time_s = pose.time_s;
+    if (cvars()->pt_light_styles != 0)
+        frame.light_styles = session_->light_styles().values_at(pose.time_s);
+    return renderer_->render(frame);
+}
+
+Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, int seed) {
+    begin_run(row, seed);
+    renderer_->take_frame_times(true);
+    std::uint64_t number = 0;
+    for (const Pose& pose : place.frames)
+        number = render(pose);
+    Measurement result;
+    result.picture = renderer_->read_radiance().rgb;
+
+    // Times of the later frames.
+    const std::uint64_t first_timed = number - (place.frames.size() - 1) / 2;
+    std::vector<std::vector<double>> times(std::size(vkpt::pass_names));
+    for (const refresh::FrameTimes& frame : renderer_->take_frame_times(true)) {
+        if (frame.frame < first_timed) continue;
+        for (const refresh::PassTime& pass : frame.passes)
+            times[pass_index(pass.name)].push_back(pass.milliseconds);
+    }
+    for (std::vector<double>& pass : times)
+        result.pass_ms.push_back(pass.empty() ? 0.0 : median(std::move(pass)));
+
+    // What became of the light samples.
+    const vkpt::PathTracer& tracer = renderer_->path_tracer();
+    const std::uint64_t pixels = std::uint64_t{tracer.size().x} * tracer.size().y;
+    std::size_t hits = 0, unlit = 0, explored = 0;
+    for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
+             renderer_->device(), tracer.primary_hits(), 0, pixels)) {
+        if (hit.primitive == shader::NONE) continue;
+        ++hits;
+        unlit += (hit.flags & shader::PRIMARY_HIT_UNLIT) != 0;
+        explored += (hit.flags & shader::PRIMARY_HIT_EXPLORED) != 0;
+    }
+    const bool samples = renderer_->technique()->samples_lights() && hits > 0;
+    const double total =
+        samples ? static_cast<double>(hits) : std::numeric_limits<double>::quiet_NaN();
+    result.unlit = static_cast<double>(unlit) / total;
+    result.explored = static_cast<double>(explored) / total;
+    return result;
+}
+
+std::vector<std::vector<float>>
+QualityRenderer::stand_still(const Pose& pose, const QualityRow& row, int seed, int frames) {
+    begin_run(row, seed);
+    std::vector<std::vector<float>> pictures;
+    for (int frame = 0; frame < frames; ++frame) {
+        render(pose);
+        pictures.push_back(renderer_->read_radiance().rgb);
+    }
+    return pictures;
+}
+
+void QualityRenderer::begin_reference(const Pose& pose, const std::string& technique) {
+    begin_run({technique, {{"pt_nee", technique}, {"pt_spp", "1"}}}, first_reference_seed - 1);
+    render(pose); // caches know something before they count
+}
+
+std::vector<float> QualityRenderer::reference_batch(const Pose& pose, int number) {
+    // A new seed begins a new running mean.
+    set("pt_seed", std::to_string(first_reference_seed + number));
+    set("pt_accumulate", "1");
+    for (int path = 0; path < reference_batch_paths; ++path)
+        render(pose);
+    return renderer_->read_radiance().rgb;
+}
+
+std::string QualityRenderer::reference_key(const Pose& pose, const std::string& technique) const {
+    std::string key = fmt::format(
+        "{} {:016x} {}x{} at {} {} {} angles {} {} {} time {} by {} {:016x} paths {}", level_name_,
+        content_hash_, cvars()->vid_width, cvars()->vid_height, pose.origin.x, pose.origin.y,
+        pose.origin.z, pose.angles.x, pose.angles.y, pose.angles.z, pose.time_s, technique,
+        shader_hash(technique), reference_batch_paths);
+    for (const CvarInfo& info : cvar_infos) {
+        if (!changes_reference(info.name)) continue;
+        const auto own = std::ranges::find(base_, info.name, &Setting::name);
+        const std::string value = own != base_.end() ? own->value : cvars().get_text(info.name);
+        if (value != cvar_default_text(info)) key += fmt::format(" {} {}", info.name, value);
+    }
+    return key;
+}
+
+} // namespace vigil::bench

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The pictures of the quality benchmark: one level in the renderer, rows as settings, runs of
+// frames that start with empty caches, and batches of references. It computes no statistics.
+#pragma once
+
+#include "bench/quality_options.h"
+#include "bench/quality_places.h"
+#include "client/session.h"
+#include "refresh/vkpt/renderer.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vigil::bench {
+
+/// Paths per pixel of one batch of a reference.
+inline constexpr int reference_batch_paths = 8;
+
+/// What was seen of one measured frame.
+struct Measurement {
+    std::vector<float> picture; // linear radiance, RGB, rows from the top
+    // Median milliseconds by pass (the order of refresh/vkpt/passes.h) over the measured frame and
+    // the second half of its warm-up; 0 where the pass did not run.
+    std::vector<double> pass_ms;
+    // Shares of the primary hits that have something to light, NaN where no light is sampled: whose
+    // light sample contributed nothing, and whose sample looked for new lights.
+    double unlit = 0.0;
+    double explored = 0.0;
+};
+
+class QualityRenderer {
+public:
+    /// Loads a level from the first of the folders that has it. The variables now set are the base
+    /// of all rows. Throws Error.
+    QualityRenderer(const QualityOptions& options, const std::string& level);
+    ~QualityRenderer();
+
+    const std::vector<Place>& places() const { return places_; }
+    std::string device() const { return renderer_->describe_device(); }
+    /// Radiance values so far that were not finite and count as 0.
+    std::uint32_t nonfinite_count() const { return renderer_->nonfinite_count(); }
+
+    /// Renders the warm-up and the measured frame from empty caches.
+    Measurement measure(const Place& place, const QualityRow& row, int seed);
+    /// The pictures of `frames` frames that stand still at the pose, from empty caches.
+    std::vector<std::vector<float>> stand_still(const Pose& pose, const QualityRow& row, int seed,
+                                                int frames);
+
+    /// Goes to the pose for reference_batch(), with empty caches.
+    void begin_reference(const Pose& pose, const std::string& technique);
+    /// Mean picture of reference_batch_paths paths; the number chooses the seed, which no measured
+    /// frame has.
+    std::vector<float> reference_batch(const Pose& pose, int number);
+    /// Everything that a reference depends on, as one line of text: level, view, size, variables
+    /// and shaders.
+    std::string reference_key(const Pose& pose, const std::string& technique) const;
+
+private:
+    void begin_run(const QualityRow& row, int seed);
+    void set(const std::string& name, const std::string& value);
+    std::uint64_t render(const Pose& pose);
+
+    std::string level_name_;
+    std::vector<Setting> base_; // values of the variables that rows change
+    FileSystem files_;
+    std::unique_ptr<vkpt::VkptRenderer> renderer_;
+    std::unique_ptr<client::Session> session_;
+    std::vector<Place> places_;
+    std::uint64_t content_hash_ = 0; // of the level's file and its materials
+};
+
+/// Number of the pass, from its name in refresh/vkpt/passes.h.
+std::size_t pass_index(std::string_view name);
+
+} // namespace vigil::bench

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the quality benchmark found, and how it is told: tables for people, JSON for programs. Every
+// number has its interval and the reference's error beside it. No GPU.
+#pragma once
+
+#include "bench/quality_estimate.h"
+#include "bench/quality_options.h"
+#include "bench/quality_places.h"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace vigil::bench {
+
+/// One row of a level; every Strata is [view][seed].
+struct RowResult {
+    QualityRow row;
+    Strata mse, relative_mse, mean_ratio;
+    Strata unlit, explored;      // shares of primary hits
+    std::vector<Strata> pass_ms; // by pass
+    Strata prepare_ms, path_ms;  // sums: passes of guiding; primary, direct and indirect
+};
+
+/// A place and the reference it was measured against.
+struct ViewResult {
+    Place place;
+    std::string technique; // of the reference
+    int paths = 0;         // per pixel
+    bool reached = true;   // false: it stopped at the most paths, with more variance than wanted
+    double mean = 0.0;     // radiance, over the picture
+    double mean_error = 0.0;
+    double variance = 0.0; // mean over pixels and channels; taken off every MSE
+    double relative_variance = 0.0;
+};
+
+struct LevelResult {
+    std::string level;
+    std::vector<ViewResult> views;
+    std::vector<RowResult> rows;
+    std::uint32_t nonfinite = 0;
+};
+
+/// Error by frame from an empty cache: mse[frame] is [view][seed].
+struct CurveRow {
+    QualityRow row;
+    std::vector<Strata> mse;
+};
+
+struct CurveResult {
+    std::string level;
+    std::vector<ViewResult> views;
+    std::vector<CurveRow> rows;
+};
+
+/// What counts as settled: the mean of the last 8 frames; reached at 1.1 times that.
+inline constexpr int settled_tail = 8;
+inline constexpr double settled_factor = 1.1;
+
+/// The settled error of a curve and the frame where it is reached.
+Settled settled_of(const CurveRow& row);
+
+std::string quality_text(const QualityOptions& options, const LevelResult& result);
+std::string curve_text(const QualityOptions& options, const CurveResult& result);
+
+nlohmann::ordered_json quality_json(const QualityOptions& options, const LevelResult& result);
+nlohmann::ordered_json curve_json(const CurveResult& result);
+/// The part that is the same for all levels: size, repeats, device, variables that differ from
+/// their defaults, rows.
+nlohmann::ordered_json settings_json(const QualityOptions& options, const std::string& device);
+
+} // namespace vigil::bench

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The tables that people read.
+#include "bench/quality_report.h"
+
+#include "common/error.h"
+#include "refresh/vkpt/passes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vigil::bench {
+
+namespace {
+
+const RowResult& baseline_of(const QualityOptions& options, const LevelResult& result) {
+    for (const RowResult& row : result.rows)
+        if (row.row.label == options.baseline) return row;
+    fail("--baseline {}: no such row", options.baseline);
+}
+
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.3g}", value) : "?";
+}
+
+std::string range(const Interval& interval) {
+    return fmt::format("[{}, {}]", number(interval.low), number(interval.high));
+}
+
+std::string percent(double share) {
+    return std::isfinite(share) ? fmt::format("{:.2f}%", 100.0 * share) : "-";
+}
+
+std::string percent_range(const Interval& interval) {
+    return fmt::format("{} [{}, {}]", percent(interval.value), percent(interval.low),
+                       percent(interval.high));
+}
+
+double mean_over_views(const std::vector<ViewResult>& views, double ViewResult::*member) {
+    double sum = 0.0;
+    for (const ViewResult& view : views)
+        sum += view.*member;
+    return sum / static_cast<double>(views.size());
+}
+
+/// Standard error of mean_ratio's mean that comes from the references.
+double reference_mean_error(const std::vector<ViewResult>& views) {
+    double sum = 0.0;
+    for (const ViewResult& view : views)
+        sum += std::pow(view.mean_error / view.mean, 2.0);
+    return std::sqrt(sum) / static_cast<double>(views.size());
+}
+
+std::string views_text(const std::vector<ViewResult>& views) {
+    std::string text =
+        fmt::format("{:<22}{:>8}{:>14}{:>14}\n", "  view", "paths", "mean", "variance");
+    for (const ViewResult& view : views)
+        text += fmt::format("  {:<20}{:>8}{:>14}{:>14}{}\n", view.place.name, view.paths,
+                            number(view.mean), number(view.variance),
+                            view.reached ? "" : "  more than wanted: see --reference-paths");
+    return text;
+}
+
+/// One table of errors: values, ratios to the baseline, and the reference's share.
+std::string error_table(const QualityOptions& options, const LevelResult& result,
+                        Strata RowResult::*member, const char* name, double reference_variance) {
+    const RowResult& baseline = baseline_of(options, result);
+    std::string text = fmt::format("{:<14}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n",
+                                   "  row", name, "95%", "/ " + options.baseline, "95% these views",
+                                   "by view", "95% other views", "reference");
+    for (const RowResult& row : result.rows) {
+        const Interval value = mean_interval(row.*member);
+        const Interval ratio = ratio_interval(row.*member, baseline.*member);
+        const Interval over = ratio_over_views(row.*member, baseline.*member);
+        text +=
+            fmt::format("  {:<12}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n", row.row.label,
+                        number(value.value), range(value), number(ratio.value), range(ratio),
+                        number(over.value), range(over), percent(reference_variance / value.value));
+    }
+    return text;
+}
+
+std::string ratios_by_view(const QualityOptions& options, const LevelResult& result) {
+    const RowResult& baseline = baseline_of(options, result);
+    std::string text = fmt::format("  MSE / {} view by view\n", options.baseline);
+    for (const RowResult& row : result.rows) {
+        text += fmt::format("  {:<12}", row.row.label);
+        for (std::size_t view = 0; view < result.views.size(); ++view) {
+            const Interval ratio = ratio_interval({row.mse[view]}, {baseline.mse[view]});
+            text += fmt::format("{:>8} {:<16}", number(ratio.value), range(ratio));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string sample_table(const LevelResult& result) {
+    std::string text = fmt::format("{:<14}{:<28}{:<28}{:<28}\n", "  row", "mean - reference",
+                                   "samples with no contribution", "samples that explore");
+    const double error = reference_mean_error(result.views);
+    for (const RowResult& row : result.rows) {
+        Interval mean = widened(mean_interval(row.mean_ratio), error);
+        for (double* value : {&mean.value, &mean.low, &mean.high})
+            *value -= 1.0;
+        text += fmt::format("  {:<12}{:<28}{:<28}{:<28}\n", row.row.label, percent_range(mean),
+                            percent_range(mean_interval(row.unlit)),
+                            percent_range(mean_interval(row.explored)));
+    }
+    return text;
+}
+
+double median_of(const Strata& values) {
+    std::vector<double> all;
+    for (const std::vector<double>& view : values)
+        all.insert(all.end(), view.begin(), view.end());
+    return median(std::move(all));
+}
+
+std::string time_table(const QualityOptions& options, const LevelResult& result) {
+    const RowResult& baseline = baseline_of(options, result);
+    std::vector<std::size_t> shown; // passes that ran in some row
+    for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass)
+        if (std::ranges::any_of(result.rows, [pass](const RowResult& row) {
+                return median_of(row.pass_ms[pass]) > 0.0;
+            }))
+            shown.push_back(pass);
+    if (shown.empty()) return "  the device has no timestamps\n";
+    std::string text = "  ms          ";
+    for (const std::size_t pass : shown)
+        text += fmt::format("{:>{}}", vkpt::pass_names[pass],
+                            std::max<std::size_t>(9, vkpt::pass_names[pass].size() + 1));
+    text += '\n';
+    for (const RowResult& row : result.rows) {
+        text += fmt::format("  {:<12}", row.row.label);
+        for (const std::size_t pass : shown)
+            text += fmt::format("{:>{}.2f}", median_of(row.pass_ms[pass]),
+                                std::max<std::size_t>(9, vkpt::pass_names[pass].size() + 1));
+        text += '\n';
+    }
+    text += fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>12}{:>8}  {:<20}\n", "  row", "path trace",
+                        "/ " + options.baseline, "95%", "guiding", "/ path", "95%");
+    for (const RowResult& row : result.rows) {
+        const Interval path = median_ratio(row.path_ms, baseline.path_ms);
+        const Interval prepare = median_ratio(row.prepare_ms, row.path_ms);
+        text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>12.2f}{:>8}  {:<20}\n", row.row.label,
+                            median_of(row.path_ms), number(path.value), range(path),
+                            median_of(row.prepare_ms), number(prepare.value), range(prepare));
+    }
+    return text;
+}
+
+std::string heading(const QualityOptions& options, const std::string& level,
+                    const std::vector<ViewResult>& views) {
+    return fmt::format("\n{}: {} x {} pixels, {} views, {} seeds; reference by {}\n", level,
+                       options.size.x, options.size.y, views.size(), options.seeds,
+                       views.front().technique);
+}
+
+} // namespace
+
+std::string quality_text(const QualityOptions& options, const LevelResult& result) {
+    std::string text = heading(options, result.level, result.views);
+    text += views_text(result.views) + '\n';
+    text += error_table(options, result, &RowResult::mse, "MSE",
+                        mean_over_views(result.views, &ViewResult::variance));
+    text += '\n';
+    text += error_table(options, result, &RowResult::relative_mse, "rel. MSE",
+                        mean_over_views(result.views, &ViewResult::relative_variance));
+    text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
+            time_table(options, result);
+    if (result.nonfinite > 0)
+        text +=
+            fmt::format("  {} radiance values were not finite and count as 0\n", result.nonfinite);
+    return text;
+}
+
+std::string curve_text(const QualityOptions& options, const CurveResult& result) {
+    std::string text = heading(options, result.level, result.views) + views_text(result.views);
+    text += fmt::format("{:<8}", "\n  frame");
+    for (const CurveRow& row : result.rows)
+        text += fmt::format("{:>12} {:<24}", row.row.label, "95%");
+    text += '\n';
+    for (std::size_t frame = 0; frame < result.rows.front().mse.size(); ++frame) {
+        text += fmt::format("  {:<5}", frame + 1);
+        for (const CurveRow& row : result.rows) {
+            const Interval value = mean_interval(row.mse[frame]);
+            text += fmt::format("{:>12} {:<24}", number(value.value), range(value));
+        }
+        text += '\n';
+    }
+    for (const CurveRow& row : result.rows) {
+        const Settled settled = settled_of(row);
+        text += fmt::format("  {}: settled at {}, within {} times that from frame {} on\n",
+                            row.row.label, number(settled.level), settled_factor, settled.frame);
+    }
+    return text;
+}
+
+} // namespace vigil::bench
