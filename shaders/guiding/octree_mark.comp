@@ -49,7 +49,6 @@ void main() {
         }
     }
     if (sum > 0u) atomicAdd(work.samples, sum);
-    atomicMax(work.depth, depth + 1u);
     if (index > 0u && (node & MARK_SPLITS) == OCTREE_ALL_LEAVES && sum < settings.collapse) {
         marks = MARK_COLLAPSES;
         atomicAdd(work.collapses, 1u);

@@ -105,6 +105,7 @@ void main() {
     new_leaves[cache + 1u] = old_leaves[old_cache + 1u];
 
     const OctreeCell cell = octree_child_cell(octree_unpack_cell(new_cells[node]), child);
+    if (leaf == octree_leaf(new_node_count - 1u, 7u)) work.depth = cell.depth; // the last leaf is a deepest
     const uint neighbours = leaf_word(LEAF_NEIGHBOURS, 6u, leaf);
     for (uint face = 0u; face < 6u; ++face) new_leaves[neighbours + face] = find_neighbour(cell, face);
 }

@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `vlc_merge` (paper, sections 4.1 and 4.2): one work group per old leaf joins its lights with those of its neighbours and makes the
-// Visibility Light Cache of them: as few buckets as can hold them, lights ascending in each.
+// Visibility Light Cache of them: as few buckets as can hold them, lights in each in the order of their keys (light_table.glsl).
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/light_table.glsl"
@@ -15,13 +15,15 @@ shared uint too_full; // a power of two is set if there cannot be that few bucke
 shared uint lights;
 shared uint cache_first;
 
-/// Looks up the list of one lane: the leaf's own in lane 0, a neighbour's in the next six.
-void find_list(uint leaf, uint lane) {
-    if (lane >= LISTS) return;
-    uint owner = leaf;
-    if (lane > 0u) owner = settings.merge != 0u ? old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + lane - 1u] : NONE;
-    list_length[lane] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
-    list_first[lane] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, 2u, owner)];
+/// Looks up where the lists are: the leaf's own is list 0, its neighbours' are the next six. A subgroup may have fewer
+/// lanes than there are lists.
+void find_lists(uint leaf) {
+    for (uint list = gl_LocalInvocationID.x; list < LISTS; list += LANES) {
+        uint owner = leaf;
+        if (list > 0u) owner = settings.merge != 0u ? old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + list - 1u] : NONE;
+        list_length[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
+        list_first[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, 2u, owner)];
+    }
 }
 
 /// Ids in the buckets first .. end - 1 of the table.
@@ -47,7 +49,7 @@ void main() {
     const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
     const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
     const uint buckets_before = old_leaves[cache + 1u];
-    find_list(leaf, lane);
+    find_lists(leaf);
     if (lane == 0u) {
         lights = 0u;
         too_full = 0u;
