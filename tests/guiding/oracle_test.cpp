@@ -165,7 +165,7 @@ constexpr CacheLimits plenty{4, 3, true, 1u << 20};
 TEST_F(VlcOracle, OnlyVisibleSamplesCountAndOnlyOnce) {
     const Cache found =
         cache({visible | 5, 6, visible | 5, shader::LIGHT_SAMPLE_NONE, visible | 2}, {}, plenty);
-    EXPECT_EQ(found.own, (std::set<uint32_t>{2, 5}));
+    EXPECT_EQ(found.own, (Lights{2, 5}));
     EXPECT_EQ(found.buckets, (Buckets{{2, 5}}));
     EXPECT_FALSE(left_out_);
 }
@@ -176,7 +176,7 @@ TEST_F(VlcOracle, NoLightsNoBuckets) {
 
 TEST_F(VlcOracle, NeighboursAreTakenInUnlessMergingIsOff) {
     const Cache merged = cache(seen({8}), seen({1, 8}), plenty);
-    EXPECT_EQ(merged.own, (std::set<uint32_t>{8}));
+    EXPECT_EQ(merged.own, (Lights{8}));
     EXPECT_EQ(merged.buckets, (Buckets{{1, 8}}));
     CacheLimits alone = plenty;
     alone.merge = false;
@@ -186,9 +186,15 @@ TEST_F(VlcOracle, NeighboursAreTakenInUnlessMergingIsOff) {
 TEST_F(VlcOracle, LightsSpreadOverAsFewBucketsAsHoldThem) {
     EXPECT_EQ(cache(seen({0, 1, 2, 3}), {}, plenty).buckets.size(), 1u);
     EXPECT_EQ(cache(seen({0, 1, 2, 3, 4}), {}, plenty).buckets, (Buckets{{0, 2, 4}, {1, 3}}));
-    // Equal remainders: one full bucket keeps all of them apart.
-    EXPECT_EQ(cache(seen({0, 2, 4, 6, 8}), {}, plenty).buckets,
-              (Buckets{{0, 4, 8}, {}, {2, 6}, {}}));
+    // Six of nine lights are even: one of two buckets would be too full.
+    EXPECT_EQ(cache(seen({0, 1, 2, 3, 4, 5, 6, 8, 10}), {}, plenty).buckets,
+              (Buckets{{0, 4, 8}, {1, 5}, {2, 6, 10}, {3}}));
+}
+
+TEST_F(VlcOracle, LightsAreOrderedByTheirLowBits) {
+    const Lights lights{0, 1, 2, 3, 4, 5, 6, 7, 0x40000000, 0x7ffffffe};
+    EXPECT_EQ(std::vector<uint32_t>(lights.begin(), lights.end()),
+              (std::vector<uint32_t>{0, 0x40000000, 4, 2, 6, 0x7ffffffe, 1, 5, 3, 7}));
 }
 
 TEST_F(VlcOracle, FewerBucketsThanBeforeNeedMoreSpace) {
@@ -198,10 +204,10 @@ TEST_F(VlcOracle, FewerBucketsThanBeforeNeedMoreSpace) {
     EXPECT_EQ(cache(seen({0, 1, 2}), {}, plenty, 2).buckets.size(), 1u);
 }
 
-TEST_F(VlcOracle, AFullBucketKeepsTheSmallestIds) {
-    // 6 samples: 8 buckets.
+TEST_F(VlcOracle, AFullBucketKeepsItsFirstIds) {
+    // 6 samples: 4 buckets. All in bucket 0; in units of 8 the order is 0 .. 4, 2, 6, 1, 5, 3.
     const Cache found = cache(seen({48, 8, 40, 32, 16, 24}), {}, plenty);
-    EXPECT_EQ(found.own, (std::set<uint32_t>{8, 16, 24, 32}));
+    EXPECT_EQ(found.own, (Lights{32, 16, 48, 8}));
     EXPECT_TRUE(left_out_);
 }
 
@@ -210,18 +216,18 @@ TEST_F(VlcOracle, TheBufferLimitsBuckets) {
     narrow.vlc_capacity = 4 * 8 * 3; // 3, so 2 buckets for each of 8 leaves
     const Cache found = cache(seen(range(0, 100)), {}, narrow);
     EXPECT_EQ(found.own.size(), 100u);
-    EXPECT_EQ(found.buckets, (Buckets{{0, 2, 4, 6}, {1, 3, 5, 7}}));
+    EXPECT_EQ(found.buckets, (Buckets{{0, 64, 32, 96}, {1, 65, 33, 97}}));
 }
 
 TEST_F(VlcOracle, TableSizesAreTheDefinitions) {
     EXPECT_EQ(table_buckets(0, 32), 1u);
-    EXPECT_EQ(table_buckets(8, 32), 1u);
-    EXPECT_EQ(table_buckets(9, 32), 2u);
-    EXPECT_EQ(table_buckets(16384, 32), 64u);
-    EXPECT_EQ(table_buckets(16384, 64), 32u);
-    EXPECT_EQ(table_buckets(16384, 1), 256u);
-    EXPECT_EQ(table_buckets(16384, 33), 32u); // 62 fit
-    EXPECT_EQ(table_buckets(3, 4), 4u);
+    EXPECT_EQ(table_buckets(21, 32), 1u);
+    EXPECT_EQ(table_buckets(22, 32), 2u);
+    EXPECT_EQ(table_buckets(16384, 32), shader::VLC_TABLE_SIZE / 32);
+    EXPECT_EQ(table_buckets(16384, 33), shader::VLC_TABLE_SIZE / 64);
+    EXPECT_EQ(table_buckets(16384, 64), shader::VLC_TABLE_SIZE / 64);
+    EXPECT_EQ(table_buckets(16384, 1), shader::VLC_TABLE_MOST_BUCKETS);
+    EXPECT_EQ(table_buckets(6, 4), 4u);
 }
 
 TEST_F(VlcOracle, ManySamplesArePassedOverEvenly) {
@@ -233,7 +239,7 @@ TEST_F(VlcOracle, ManySamplesArePassedOverEvenly) {
     samples[1] = visible | 2; // passed over
     samples[32766] = visible | 3;
     samples[32768] = visible | 4; // beyond the last
-    EXPECT_EQ(cache(samples, {}, plenty).own, (std::set<uint32_t>{1, 3}));
+    EXPECT_EQ(cache(samples, {}, plenty).own, (Lights{1, 3}));
 }
 
 } // namespace

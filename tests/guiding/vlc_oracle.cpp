@@ -25,9 +25,9 @@ uint32_t power_above(uint32_t value) {
     return power;
 }
 
-std::set<uint32_t> visible_lights(std::span<const uint32_t> kept) {
+Lights visible_lights(std::span<const uint32_t> kept) {
     const Stride stride = sample_stride(kept.size(), shader::VLC_MOST_SAMPLES);
-    std::set<uint32_t> lights;
+    Lights lights;
     for (size_t i = 0; i < stride.processed; ++i) {
         const uint32_t sample = kept[i * stride.step];
         if (sample >= shader::LIGHT_SAMPLE_VISIBLE)
@@ -36,12 +36,11 @@ std::set<uint32_t> visible_lights(std::span<const uint32_t> kept) {
     return lights;
 }
 
-/// A hash table that keeps the smallest ids of a full bucket.
-Buckets fill_table(const std::set<uint32_t>& lights, uint32_t buckets, uint32_t bucket_size,
-                   bool& left_out) {
+/// A hash table that keeps the first ids of a full bucket.
+Buckets fill_table(const Lights& lights, uint32_t buckets, uint32_t bucket_size, bool& left_out) {
     Buckets table(buckets);
     for (const uint32_t light : lights) {
-        std::set<uint32_t>& bucket = table[light % buckets];
+        Lights& bucket = table[light % buckets];
         bucket.insert(light);
         if (bucket.size() > bucket_size) {
             bucket.erase(std::prev(bucket.end()));
@@ -51,9 +50,9 @@ Buckets fill_table(const std::set<uint32_t>& lights, uint32_t buckets, uint32_t 
     return table;
 }
 
-std::set<uint32_t> lights_in(const Buckets& table) {
-    std::set<uint32_t> lights;
-    for (const std::set<uint32_t>& bucket : table)
+Lights lights_in(const Buckets& table) {
+    Lights lights;
+    for (const Lights& bucket : table)
         lights.insert(bucket.begin(), bucket.end());
     return lights;
 }
@@ -78,13 +77,19 @@ Buckets merge_buckets(Buckets table, uint32_t previous_buckets, const CacheLimit
 
 } // namespace
 
+bool LowBitsFirst::operator()(uint32_t a, uint32_t b) const {
+    for (int bit = 0; bit < 32; ++bit)
+        if ((a >> bit & 1u) != (b >> bit & 1u)) return (a >> bit & 1u) < (b >> bit & 1u);
+    return false;
+}
+
 Stride sample_stride(size_t kept, size_t most) {
     if (kept <= most) return {1, kept};
     return {kept / most, most};
 }
 
 uint32_t table_buckets(uint32_t entries, uint32_t bucket) {
-    const uint32_t wanted = (4 * entries + bucket - 1) / bucket;
+    const uint32_t wanted = (3 * entries + 2 * bucket - 1) / (2 * bucket);
     const uint32_t most =
         power_below(std::min(shader::VLC_TABLE_MOST_BUCKETS, shader::VLC_TABLE_SIZE / bucket));
     return std::min(power_above(wanted), most);
@@ -111,12 +116,12 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
 
     for (auto& [leaf, cache] : caches.by_leaf) {
         // Merge with the neighbours' lights.
-        std::set<uint32_t> lights = cache.own;
+        Lights lights = cache.own;
         size_t entries = cache.own.size();
         for (int face = 0; face < 6 && limits.merge; ++face) {
             const std::optional<Path> neighbour = neighbour_of(inner, leaf, face);
             if (!neighbour) continue;
-            const std::set<uint32_t>& others = caches.by_leaf.at(*neighbour).own;
+            const Lights& others = caches.by_leaf.at(*neighbour).own;
             lights.insert(others.begin(), others.end());
             entries += others.size();
         }

@@ -11,8 +11,15 @@
 
 namespace vigil::test {
 
+/// The order of light ids in caches: the lowest bit in which two differ decides. Sets of ids that
+/// leave the same remainder for a power of two are intervals of this order.
+struct LowBitsFirst {
+    bool operator()(uint32_t a, uint32_t b) const;
+};
+using Lights = std::set<uint32_t, LowBitsFirst>;
+
 /// Lights of one cache: bucket b holds those whose id leaves the remainder b.
-using Buckets = std::vector<std::set<uint32_t>>;
+using Buckets = std::vector<Lights>;
 
 struct CacheLimits {
     uint32_t bucket;       // most lights in a bucket
@@ -28,8 +35,8 @@ struct LeafSamples {
 };
 
 struct Cache {
-    std::set<uint32_t> own; // different lights that the leaf's samples saw
-    Buckets buckets;        // own and neighbours' lights; none if there are no lights
+    Lights own;      // different lights that the leaf's samples saw
+    Buckets buckets; // own and neighbours' lights; none if there are no lights
 };
 
 struct Caches {
@@ -47,7 +54,8 @@ struct Stride {
 };
 Stride sample_stride(size_t kept, size_t most);
 
-/// Buckets of the hash table for `entries` light ids that are expected to come in.
+/// Buckets of the hash table for at most `entries` light ids: one and a half times as many as hold
+/// them, at least.
 uint32_t table_buckets(uint32_t entries, uint32_t bucket);
 
 } // namespace vigil::test

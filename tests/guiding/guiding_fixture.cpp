@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// See guiding_fixture.h.
+#include "guiding_fixture.h"
+
+#include "refresh/vkpt/gpu/commands.h"
+#include "shared/octree.h"
+
+#include <memory>
+
+namespace vigil::test {
+namespace {
+
+/// Between SetUpTestSuite and TearDownTestSuite.
+struct Shared {
+    Shared() : device(options(), nullptr), guiding(device, nullptr, 1), commands(device) {}
+    static gpu::DeviceOptions options() {
+        gpu::DeviceOptions options;
+        options.validation = 2;
+        return options;
+    }
+    gpu::Device device;
+    vkpt::Guiding guiding;
+    gpu::FrameCommands commands;
+};
+std::unique_ptr<Shared> shared;
+
+std::vector<uint32_t> download(const gpu::Buffer& buffer, size_t words) {
+    return gpu::download_now_as<uint32_t>(shared->device, buffer, 0, words);
+}
+
+TreeWords download(const vkpt::Guiding::Tree& tree, uint32_t node_capacity) {
+    TreeWords words = TreeWords::sized(node_capacity);
+    words.nodes = download(tree.nodes, words.nodes.size());
+    words.cells = download(tree.cells, words.cells.size());
+    words.leaves = download(tree.leaves, words.leaves.size());
+    return words;
+}
+
+} // namespace
+
+void GuidingTest::SetUpTestSuite() {
+    shared = std::make_unique<Shared>();
+}
+
+void GuidingTest::TearDownTestSuite() {
+    shared.reset();
+}
+
+void GuidingTest::SetUp() {
+    ASSERT_TRUE(shared);
+}
+
+void GuidingTest::TearDown() {
+    if (shared) {
+        EXPECT_EQ(shared->device.validation_messages(), 0);
+    }
+}
+
+vkpt::Guiding& GuidingTest::guiding() {
+    return shared->guiding;
+}
+
+void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size) {
+    settings_ = settings;
+    guiding().prepare({glm::uvec2(picture_size), settings});
+    guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f);
+
+    // The first frame starts from a tree that exists nowhere yet.
+    frame_ = 0;
+    run_passes();
+    const TreeWords seen = download(guiding().tree(), guiding().header().node_capacity);
+    ASSERT_EQ(seen.nodes[0], 1u);
+    ASSERT_EQ(seen.nodes[1] & 0xffu, 0xffu);
+    state_ = state_after({""}, seen, std::vector<uint32_t>(guiding().header().sample_capacity));
+    for (const auto& [path, leaf] : state_.leaves) {
+        EXPECT_EQ(leaf.buckets, 0u) << path;
+    }
+    const Disagreements storage = compare_storage({""}, seen, guiding().header().sample_capacity);
+    EXPECT_TRUE(storage.empty()) << storage.text();
+    frame();
+}
+
+glm::uvec3 GuidingTest::cell_of(glm::vec3 position) {
+    return shader::octree_grid(position, guiding().header().corner, guiding().header().scale);
+}
+
+void GuidingTest::place(glm::vec3 position, uint32_t light_sample) {
+    const glm::ivec3 cell(cell_of(position));
+    LeafState& leaf = state_.leaves.at(leaf_with(state_.inner, cell).value());
+    if (leaf.count < leaf.room) state_.samples[leaf.first_sample + leaf.count] = light_sample;
+    ++leaf.count;
+}
+
+void GuidingTest::random_frame(Dice& dice, const InnerNodes& inner, const RandomLights& lights) {
+    state_ = random_samples(dice, inner, lights, settings_, guiding().header().sample_capacity);
+    frame();
+}
+
+void GuidingTest::upload() {
+    const gpu::Device& device = shared->device;
+    const vkpt::Guiding::Tree& tree = guiding().tree();
+    const TreeWords words = encode(state_, guiding().header().node_capacity, garbage_);
+    gpu::upload_now(device, tree.nodes, 0, gpu::bytes_of(words.nodes));
+    gpu::upload_now(device, tree.cells, 0, gpu::bytes_of(words.cells));
+    gpu::upload_now(device, tree.leaves, 0, gpu::bytes_of(words.leaves));
+    gpu::upload_now(device, guiding().samples(), 0, gpu::bytes_of(state_.samples));
+    gpu::run_now(device, [&](VkCommandBuffer commands) {
+        vkCmdFillBuffer(commands, guiding().vlc_lights().handle(), 0, VK_WHOLE_SIZE, 0x12345678u);
+    });
+}
+
+void GuidingTest::run_passes() {
+    gpu::FrameCommands& commands = shared->commands;
+    commands.begin();
+    guiding().record(commands, 0);
+    commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
+    commands.finish();
+    statistics_ = guiding().statistics(0);
+}
+
+void GuidingTest::frame() {
+    ++frame_;
+    SCOPED_TRACE(testing::Message() << "frame " << frame_);
+    const shader::GuidingHeader& header = guiding().header();
+
+    // What the oracle expects.
+    ByPath<uint32_t> counts;
+    ByPath<LeafSamples> samples;
+    for (const auto& [path, leaf] : state_.leaves) {
+        counts[path] = leaf.count;
+        samples[path] = {std::span(state_.samples).subspan(leaf.first_sample, leaf.kept()),
+                         leaf.buckets};
+    }
+    tree_ = adapt(
+        state_.inner, counts,
+        {settings_.split, settings_.collapse, header.node_capacity, shader::OCTREE_MAX_DEPTH});
+    caches_ = make_caches(
+        state_.inner, samples,
+        {settings_.bucket, settings_.small_bucket, settings_.merge != 0, header.vlc_capacity});
+
+    // What the passes make of it.
+    upload();
+    const vkpt::Guiding::Tree& old_tree = guiding().tree();
+    run_passes();
+    ASSERT_NE(&guiding().tree(), &old_tree);
+    const TreeWords seen_old = download(old_tree, header.node_capacity);
+    const TreeWords seen = download(guiding().tree(), header.node_capacity);
+    const std::vector<uint32_t> lights = download(guiding().vlc_lights(), header.vlc_capacity);
+
+    for (const Disagreements& found :
+         {compare_tree(tree_, state_.inner, seen),
+          compare_storage(tree_.inner, seen, header.sample_capacity),
+          compare_caches(caches_, seen_old, state_.inner, lights, settings_.bucket),
+          compare_handed_on(tree_, seen, state_.inner, seen_old),
+          compare_statistics(state_, tree_, caches_, statistics_)})
+        ASSERT_TRUE(found.empty()) << found.text();
+    state_ = state_after(tree_.inner, seen, std::move(state_.samples));
+}
+
+shader::GuidingSettings settings_with(uint32_t bucket) {
+    return {40, 20, bucket, bucket * 3 / 4, 1};
+}
+
+} // namespace vigil::test

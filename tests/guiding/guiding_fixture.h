@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Runs the guiding passes on a GPU under validation, one frame at a time, and demands after each
+// frame that trees, caches and statistics are the oracle's. Takes the path tracer's place: tests
+// put the samples into the leaves.
+#pragma once
+
+#include "refresh/vkpt/guiding/guiding.h"
+#include "tree_words.h"
+
+#include <gtest/gtest.h>
+
+namespace vigil::test {
+
+class GuidingTest : public testing::Test {
+protected:
+    static void SetUpTestSuite();
+    static void TearDownTestSuite();
+    void SetUp() override;
+    void TearDown() override;
+
+    static vkpt::Guiding& guiding();
+
+    /// Makes room for a picture this wide and high; starts with the root divided once and runs a
+    /// frame on it.
+    void start(const shader::GuidingSettings& settings, uint32_t picture_size = 256);
+
+    /// The smallest cell that holds a position.
+    static glm::uvec3 cell_of(glm::vec3 position);
+    /// Stores a sample as the path tracer does.
+    void place(glm::vec3 position, uint32_t light_sample);
+    /// Random samples in every leaf of a tree, then a frame.
+    void random_frame(Dice& dice, const InnerNodes& inner, const RandomLights& lights);
+
+    /// Runs the passes on the tree and the samples that are there, compares, and goes on with what
+    /// they made.
+    void frame();
+
+    TreeState state_;                  // what the next frame starts from
+    AdaptedOctree tree_;               // made in the last frame
+    Caches caches_;                    // on the tree before
+    shader::GuidingWork statistics_{}; // seen in the last frame
+    shader::GuidingSettings settings_{};
+
+private:
+    void upload();
+    void run_passes();
+
+    Dice garbage_{99};
+    int frame_ = 0;
+};
+
+/// Most lights in a bucket, the hysteresis' 75%, and thresholds that random samples come near to.
+shader::GuidingSettings settings_with(uint32_t bucket);
+
+} // namespace vigil::test

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Single frames from random trees and random samples: the passes' trees and caches are the
+// oracle's, bit for bit. Each test also demands that the case it is named after occurred.
+#include "guiding_fixture.h"
+#include "shared/octree.h"
+
+namespace vigil::test {
+namespace {
+
+/// Thresholds so high that leaves have thousands of samples.
+shader::GuidingSettings crowded(uint32_t bucket) {
+    shader::GuidingSettings settings = settings_with(bucket);
+    settings.split = 4000;
+    settings.collapse = 2000;
+    return settings;
+}
+
+TEST_F(GuidingTest, RandomTreesOfAllSizes) {
+    start(settings_with(32));
+    uint32_t both = 0, empty = 0, dropped = 0, largest = 0;
+    for (const uint32_t nodes : {1u, 2u, 3u, 9u, 10u, 33u, 64u, 65u, 250u, 1000u})
+        for (const double deep : {0.0, 0.9}) {
+            SCOPED_TRACE(testing::Message() << nodes << " nodes, deep " << deep);
+            Dice dice(nodes + (deep > 0.0 ? 5000 : 0));
+            random_frame(dice, random_tree(dice, nodes, deep), {});
+            if (HasFatalFailure()) return;
+            both += tree_.splits > 0 && tree_.collapses > 0 ? 1u : 0u;
+            dropped += statistics_.dropped;
+            empty += 7 * nodes + 1 - statistics_.sampled_leaves;
+            largest = std::max(largest, statistics_.nodes);
+        }
+    EXPECT_GE(both, 10u);
+    EXPECT_GT(empty, 1000u);
+    EXPECT_GT(dropped, 1000u);
+    EXPECT_GT(largest, 1500u);
+}
+
+TEST_F(GuidingTest, RandomFramesOneAfterAnother) {
+    start(settings_with(8), 128);
+    Dice dice(11);
+    for (int i = 0; i < 12; ++i) {
+        random_frame(dice, state_.inner, {});
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST_F(GuidingTest, ATreeThatUsesAllNodes) {
+    start(settings_with(32));
+    Dice dice(12);
+    const uint32_t capacity = guiding().header().node_capacity;
+    ASSERT_GE(capacity, 4096u);
+    RandomLights lights;
+    lights.most = 10;
+    random_frame(dice, random_tree(dice, capacity, 0.1), lights);
+    if (HasFatalFailure()) return;
+    EXPECT_GT(statistics_.splits, 100u);
+    EXPECT_GT(statistics_.collapses, 100u);
+}
+
+TEST_F(GuidingTest, SplitsWithoutRoomAreRefused) {
+    start(crowded(32), 64);
+    const uint32_t capacity = guiding().header().node_capacity;
+    ASSERT_EQ(capacity, 64u);
+    uint32_t refused = 0, splits = 0;
+    for (uint32_t nodes = capacity - 20; nodes <= capacity; ++nodes) {
+        Dice dice(nodes);
+        random_frame(dice, random_tree(dice, nodes, 0.2), {});
+        if (HasFatalFailure()) return;
+        refused += statistics_.splits_refused;
+        splits += statistics_.splits;
+    }
+    EXPECT_GT(refused, 0u);
+    EXPECT_GT(splits, 0u);
+}
+
+TEST_F(GuidingTest, EveryBucketSize) {
+    for (const uint32_t bucket : {1u, 2u, 3u, 4u, 24u, 32u, 48u, 63u, 64u}) {
+        SCOPED_TRACE(testing::Message() << "bucket of " << bucket);
+        start(settings_with(bucket));
+        Dice dice(bucket);
+        for (const uint32_t most : {6u, 300u}) {
+            RandomLights lights;
+            lights.most = most;
+            random_frame(dice, random_tree(dice, 40, 0.3), lights);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+TEST_F(GuidingTest, FullTables) {
+    for (const uint32_t bucket : {1u, 4u, 32u, 64u})
+        for (const uint32_t stride : {1u, 3u, 16u, 256u, 1u << 16}) {
+            SCOPED_TRACE(testing::Message() << "bucket of " << bucket << ", stride " << stride);
+            start(crowded(bucket));
+            Dice dice(bucket + stride);
+            RandomLights lights;
+            lights.fewest = 2500;
+            lights.most = 4000;
+            lights.visible = 0.9;
+            lights.stride = stride;
+            random_frame(dice, random_tree(dice, 5, 0.3), lights);
+            if (HasFatalFailure()) return;
+            EXPECT_GT(statistics_.lights_left_out, 0u);
+        }
+}
+
+TEST_F(GuidingTest, TablesThatAreFullOnlyAfterMerging) {
+    start(crowded(32));
+    Dice dice(13);
+    RandomLights lights;
+    lights.fewest = 900;
+    lights.most = 1000;
+    lights.visible = 1.0;
+    random_frame(dice, random_tree(dice, 3, 0.0), lights);
+    if (HasFatalFailure()) return;
+    size_t own = 0;
+    for (const auto& [path, cache] : caches_.by_leaf)
+        own = std::max(own, cache.own.size());
+    EXPECT_GT(statistics_.most_lights, own);
+    EXPECT_GT(statistics_.lights_left_out, 0u);
+}
+
+TEST_F(GuidingTest, LightIdsOfAllSizes) {
+    start(settings_with(4));
+    for (const uint32_t largest : {0x7ffffffeu, 0x40000000u, 65536u, 400u}) {
+        Dice dice(largest);
+        RandomLights lights;
+        lights.largest = largest;
+        random_frame(dice, random_tree(dice, 30, 0.0), lights);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST_F(GuidingTest, OneHugeLeafAmongEmptyOnes) {
+    constexpr uint32_t most = shader::VLC_MOST_SAMPLES;
+    for (const uint32_t bucket : {1u, 32u, 64u})
+        for (const uint32_t count :
+             {most - 1, most, most + 1, 2 * most - 1, 2 * most, 12 * most + 5}) {
+            SCOPED_TRACE(testing::Message()
+                         << "bucket of " << bucket << ", " << count << " samples");
+            start(crowded(bucket));
+            Dice dice(count + bucket);
+            state_ = random_samples(dice, random_tree(dice, 20, 0.5), {}, settings_,
+                                    guiding().header().sample_capacity);
+            for (auto& [path, leaf] : state_.leaves)
+                leaf.count = leaf.room = 0;
+            LeafState& huge = std::next(state_.leaves.begin(), dice.below(100))->second;
+            huge.count = count + dice.below(2) * 1000;
+            huge.first_sample = 123;
+            huge.room = count;
+            for (uint32_t i = 0; i < count; ++i)
+                state_.samples[huge.first_sample + i] = random_light_sample(dice, {}, 50000, 2500);
+            frame();
+            if (HasFatalFailure()) return;
+            EXPECT_EQ(tree_.splits, 1u);
+            EXPECT_EQ(statistics_.sampled_leaves, 1u);
+        }
+}
+
+TEST_F(GuidingTest, NoSamplesAtAll) {
+    start(settings_with(32));
+    Dice dice(15);
+    state_ = random_samples(dice, random_tree(dice, 500, 0.5), {}, settings_,
+                            guiding().header().sample_capacity);
+    for (auto& [path, leaf] : state_.leaves)
+        leaf.count = 0;
+    int frames = 0;
+    for (; state_.inner.size() > 1; ++frames) {
+        ASSERT_LE(frames, 16)
+            << "a tree without samples is gone after as many frames as it has levels";
+        frame();
+        if (HasFatalFailure()) return;
+        EXPECT_EQ(statistics_.cached_leaves, 0u);
+    }
+    EXPECT_GT(frames, 3);
+}
+
+TEST_F(GuidingTest, HysteresisHoldsBucketsThatWouldBeMerged) {
+    start(settings_with(8));
+    shader::GuidingSettings without = settings_;
+    without.small_bucket = without.bucket;
+    int held = 0, merged = 0, grown = 0;
+    for (uint32_t seed = 1; seed <= 6; ++seed) {
+        Dice dice(seed);
+        RandomLights lights;
+        lights.most = 60;
+        lights.visible = 0.9;
+        const TreeState before = random_samples(dice, random_tree(dice, 60, 0.2), lights, settings_,
+                                                guiding().header().sample_capacity);
+        state_ = before;
+        frame();
+        if (HasFatalFailure()) return;
+        ByPath<LeafSamples> samples;
+        for (const auto& [path, leaf] : before.leaves)
+            samples[path] = {std::span(before.samples).subspan(leaf.first_sample, leaf.kept()),
+                             leaf.buckets};
+        const Caches plain = make_caches(
+            before.inner, samples,
+            {without.bucket, without.small_bucket, true, guiding().header().vlc_capacity});
+        for (const auto& [path, cache] : caches_.by_leaf) {
+            const size_t buckets = cache.buckets.size();
+            const uint32_t previous = before.leaves.at(path).buckets;
+            held += buckets > plain.by_leaf.at(path).buckets.size() ? 1 : 0;
+            merged += buckets > 0 && buckets < previous ? 1 : 0;
+            grown += buckets > previous ? 1 : 0;
+        }
+    }
+    EXPECT_GT(held, 20);
+    EXPECT_GT(merged, 20);
+    EXPECT_GT(grown, 20);
+}
+
+TEST_F(GuidingTest, WithoutMergingNeighboursDoNotMatter) {
+    shader::GuidingSettings settings = settings_with(16);
+    settings.merge = 0;
+    start(settings);
+    Dice dice(16);
+    RandomLights lights;
+    lights.most = 200;
+    random_frame(dice, random_tree(dice, 200, 0.3), lights);
+    if (HasFatalFailure()) return;
+    for (const auto& [path, cache] : caches_.by_leaf) {
+        EXPECT_EQ(cache.own.empty(), cache.buckets.empty()) << path;
+    }
+}
+
+TEST_F(GuidingTest, TheBufferOfCachesIsShared) {
+    // All nodes in use, and more lights around every leaf than its share of the buffer.
+    start(crowded(64), 64);
+    Dice dice(17);
+    const uint32_t nodes = guiding().header().node_capacity;
+    RandomLights lights;
+    lights.fewest = 1000;
+    lights.most = 2000;
+    lights.visible = 1.0;
+    state_ = random_samples(dice, random_tree(dice, nodes, 0.0), lights, settings_,
+                            guiding().header().sample_capacity);
+    const auto leaves = static_cast<uint32_t>(state_.leaves.size());
+    const uint32_t each = guiding().header().sample_capacity / leaves;
+    uint32_t first = 0;
+    for (auto& [path, leaf] : state_.leaves) {
+        leaf.count = leaf.room = each;
+        leaf.first_sample = first;
+        for (uint32_t i = 0; i < each; ++i)
+            state_.samples[first + i] =
+                random_light_sample(dice, lights, 5000 * (1 + first % 3), 2000);
+        first += each;
+    }
+    frame();
+    if (HasFatalFailure()) return;
+    EXPECT_EQ(statistics_.cached_leaves, leaves);
+    EXPECT_EQ(statistics_.most_lights, 64u); // one bucket
+    EXPECT_GT(statistics_.lights_left_out, 0u);
+}
+
+} // namespace
+} // namespace vigil::test

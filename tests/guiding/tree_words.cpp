@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// See tree_words.h.
+#include "tree_words.h"
+
+#include "shared/octree.h"
+#include "shared/scene_types.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace vigil::test {
+namespace {
+
+using namespace shader;
+
+uint32_t leaf_mask(const InnerNodes& inner, const Path& node) {
+    uint32_t mask = 0;
+    for (int child = 0; child < 8; ++child)
+        if (!inner.contains(child_of(node, child))) mask |= 1u << child;
+    return mask;
+}
+
+/// The first inner child; nothing if all children are leaves.
+std::optional<Path> first_inner_child(const InnerNodes& inner, const Path& node) {
+    for (int child = 0; child < 8; ++child)
+        if (inner.contains(child_of(node, child))) return child_of(node, child);
+    return std::nullopt;
+}
+
+uint32_t neighbour_number(const InnerNodes& inner, const Numbering& numbers, const Path& leaf,
+                          int face) {
+    const std::optional<Path> neighbour = neighbour_of(inner, leaf, face);
+    return neighbour ? numbers.leaf(*neighbour) : NONE;
+}
+
+std::string name(const Path& leaf, const Numbering& numbers) {
+    return fmt::format("leaf {} at '{}'", numbers.leaf(leaf), leaf);
+}
+
+size_t lights_in(const Cache& cache) {
+    size_t lights = 0;
+    for (const Lights& bucket : cache.buckets)
+        lights += bucket.size();
+    return lights;
+}
+
+struct Range {
+    uint64_t first, end;
+    Path leaf;
+};
+
+/// Ranges of different leaves that overlap, and those that pass the end of their buffer.
+void check_ranges(std::vector<Range> ranges, uint64_t capacity, const char* what,
+                  const Numbering& numbers, Disagreements& found) {
+    std::sort(ranges.begin(), ranges.end(),
+              [](const Range& a, const Range& b) { return a.first < b.first; });
+    uint64_t end = 0;
+    for (const Range& range : ranges) {
+        if (range.first < end || range.end > capacity)
+            found.add(fmt::format("{}: {}: expected at {} or later and before {}, seen {} .. {}",
+                                  name(range.leaf, numbers), what, end, capacity, range.first,
+                                  range.end));
+        end = std::max(end, range.end);
+    }
+}
+
+} // namespace
+
+TreeWords TreeWords::sized(uint32_t node_capacity) {
+    return {std::vector<uint32_t>(1 + node_capacity), std::vector<uint32_t>(2 * node_capacity),
+            std::vector<uint32_t>(8 * LEAF_WORDS * node_capacity)};
+}
+
+uint32_t& TreeWords::at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i) {
+    return leaves.at(array * (leaves.size() / LEAF_WORDS) + width * leaf + i);
+}
+uint32_t TreeWords::at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i) const {
+    return leaves.at(array * (leaves.size() / LEAF_WORDS) + width * leaf + i);
+}
+
+Numbering::Numbering(const InnerNodes& inner) {
+    uint32_t number = 0;
+    for (const Path& node : inner)
+        nodes_[node] = number++;
+}
+
+uint32_t Numbering::leaf(const Path& leaf) const {
+    return 8 * nodes_.at(leaf.substr(0, leaf.size() - 1)) +
+           static_cast<uint32_t>(leaf.back() - '0');
+}
+
+TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) {
+    TreeWords words = TreeWords::sized(node_capacity);
+    for (std::vector<uint32_t>* buffer : {&words.nodes, &words.cells, &words.leaves})
+        for (uint32_t& word : *buffer)
+            word = garbage.word();
+
+    const Numbering numbers(state.inner);
+    words.nodes[0] = static_cast<uint32_t>(state.inner.size());
+    for (const Path& node : state.inner) {
+        const uint32_t number = numbers.node(node);
+        const std::optional<Path> first = first_inner_child(state.inner, node);
+        const uint32_t offset = first ? numbers.node(*first) : garbage.below(1u << 24);
+        words.nodes[1 + number] = leaf_mask(state.inner, node) + 256 * offset;
+        const Cube cube = cube_of(node);
+        const uvec2 cell =
+            octree_pack_cell({uvec3(cube.lowest), static_cast<uint32_t>(node.size())});
+        words.cells[2 * number] = cell.x;
+        words.cells[2 * number + 1] = cell.y;
+    }
+    for (const auto& [path, leaf] : state.leaves) {
+        const uint32_t number = numbers.leaf(path);
+        words.at(LEAF_COUNT, 1, number) = leaf.count;
+        words.at(LEAF_VISIBLE, 1, number) = 0; // as populate left it
+        words.at(LEAF_STORAGE, 2, number, 0) = leaf.first_sample;
+        words.at(LEAF_STORAGE, 2, number, 1) = leaf.room;
+        words.at(LEAF_VLC, 2, number, 0) = leaf.first_light;
+        words.at(LEAF_VLC, 2, number, 1) = leaf.buckets;
+        for (int face = 0; face < 6; ++face)
+            words.at(LEAF_NEIGHBOURS, 6, number, face) =
+                neighbour_number(state.inner, numbers, path, face);
+    }
+    return words;
+}
+
+void Disagreements::add(std::string line) {
+    if (++count_ <= 8) lines_.push_back(std::move(line));
+}
+
+std::string Disagreements::text() const {
+    return fmt::format("{} disagreements\n  {}{}", count_, fmt::join(lines_, "\n  "),
+                       count_ > lines_.size() ? "\n  ..." : "");
+}
+
+Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
+                           const TreeWords& seen) {
+    Disagreements found;
+    const auto check = [&](const auto& where, const char* what, uint32_t want, uint32_t got) {
+        if (want != got)
+            found.add(fmt::format("{}: {}: expected {:#x}, seen {:#x}", where, what, want, got));
+    };
+    const Numbering numbers(expected.inner);
+    const Numbering old_numbers(old);
+    check("tree", "nodes", static_cast<uint32_t>(expected.inner.size()), seen.nodes[0]);
+
+    for (const Path& node : expected.inner) {
+        const uint32_t number = numbers.node(node);
+        const std::string where = fmt::format("node {} at '{}'", number, node);
+        const uint32_t word = seen.nodes[1 + number];
+        check(where, "leaf mask", leaf_mask(expected.inner, node), word & 0xffu);
+        if (const std::optional<Path> first = first_inner_child(expected.inner, node))
+            check(where, "offset", numbers.node(*first), word >> 8u);
+        const Cube cube = cube_of(node);
+        const uvec3 corner(cube.lowest);
+        check(where, "cell x, y", corner.x + (corner.y << 16), seen.cells[2 * number]);
+        check(where, "cell z, depth", corner.z + (static_cast<uint32_t>(node.size()) << 16),
+              seen.cells[2 * number + 1]);
+    }
+    for (const auto& [leaf, source] : expected.source) {
+        const uint32_t number = numbers.leaf(leaf);
+        const std::string where = name(leaf, numbers);
+        check(where, "count", 0, seen.at(LEAF_COUNT, 1, number));
+        check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, 1, number));
+        check(where, "source", old_numbers.leaf(source), seen.at(LEAF_SOURCE, 1, number));
+        for (int face = 0; face < 6; ++face)
+            check(where, fmt::format("neighbour {}", face).c_str(),
+                  neighbour_number(expected.inner, numbers, leaf, face),
+                  seen.at(LEAF_NEIGHBOURS, 6, number, face));
+    }
+    return found;
+}
+
+Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
+                              uint32_t sample_capacity) {
+    Disagreements found;
+    const Numbering numbers(inner);
+    const std::vector<Path> leaves = leaves_of(inner);
+    const auto least = static_cast<uint32_t>(sample_capacity / 4 / leaves.size());
+    std::vector<Range> ranges;
+    for (const Path& leaf : leaves) {
+        const uint32_t first = seen.at(LEAF_STORAGE, 2, numbers.leaf(leaf), 0);
+        const uint32_t room = seen.at(LEAF_STORAGE, 2, numbers.leaf(leaf), 1);
+        if (room < least)
+            found.add(fmt::format("{}: room: expected at least {}, seen {}", name(leaf, numbers),
+                                  least, room));
+        ranges.push_back({first, uint64_t{first} + room, leaf});
+    }
+    check_ranges(std::move(ranges), sample_capacity, "sample storage", numbers, found);
+    return found;
+}
+
+Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
+                             const InnerNodes& old, std::span<const uint32_t> lights,
+                             uint32_t bucket) {
+    Disagreements found;
+    const Numbering numbers(old);
+    std::vector<Range> ranges;
+    for (const auto& [leaf, cache] : expected.by_leaf) {
+        const uint32_t number = numbers.leaf(leaf);
+        const std::string where = name(leaf, numbers);
+
+        // Lights of its own.
+        const uint32_t visible = seen_old.at(LEAF_VISIBLE, 1, number);
+        if (visible != cache.own.size())
+            found.add(fmt::format("{}: visible lights: expected {}, seen {}", where,
+                                  cache.own.size(), visible));
+
+        // Buckets.
+        const uint32_t first = seen_old.at(LEAF_VLC, 2, number, 0);
+        const uint32_t buckets = seen_old.at(LEAF_VLC, 2, number, 1);
+        if (buckets != cache.buckets.size()) {
+            found.add(fmt::format("{}: buckets: expected {}, seen {}", where, cache.buckets.size(),
+                                  buckets));
+            continue;
+        }
+        if (buckets == 0) continue;
+        const uint64_t end = uint64_t{first} + uint64_t{buckets} * bucket;
+        ranges.push_back({first, end, leaf});
+        if (end > lights.size()) continue; // reported with the ranges
+
+        // Ids in their order; after them NONE where there is room for it.
+        for (uint32_t b = 0; b < buckets; ++b) {
+            std::vector<uint32_t> want(cache.buckets[b].begin(), cache.buckets[b].end());
+            if (want.size() < bucket) want.push_back(NONE);
+            const std::span<const uint32_t> got = lights.subspan(first + b * bucket, want.size());
+            if (!std::equal(want.begin(), want.end(), got.begin()))
+                found.add(fmt::format("{}: bucket {} of {}: expected {}, seen {}", where, b,
+                                      buckets, want, got));
+        }
+    }
+    check_ranges(std::move(ranges), lights.size(), "cache", numbers, found);
+    return found;
+}
+
+Disagreements compare_handed_on(const AdaptedOctree& expected, const TreeWords& seen,
+                                const InnerNodes& old, const TreeWords& seen_old) {
+    Disagreements found;
+    const Numbering numbers(expected.inner);
+    const Numbering old_numbers(old);
+    for (const auto& [leaf, source] : expected.source) {
+        const uint32_t from = old_numbers.leaf(source);
+        const uint32_t to = numbers.leaf(leaf);
+        const uvec2 want(seen_old.at(LEAF_VLC, 2, from, 0), seen_old.at(LEAF_VLC, 2, from, 1));
+        const uvec2 got(seen.at(LEAF_VLC, 2, to, 0), seen.at(LEAF_VLC, 2, to, 1));
+        if (want.y != got.y || (want.y > 0 && want.x != got.x))
+            found.add(fmt::format("{}: cache: expected {} buckets at {} of old {}, seen {} at {}",
+                                  name(leaf, numbers), want.y, want.x, name(source, old_numbers),
+                                  got.y, got.x));
+    }
+    return found;
+}
+
+Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree,
+                                 const Caches& caches, const GuidingWork& seen) {
+    GuidingWork want{};
+    want.nodes = static_cast<uint32_t>(tree.inner.size());
+    want.depth =
+        static_cast<uint32_t>(tree.inner.rbegin()->size() + 1); // the last node is a deepest
+    for (const auto& [path, leaf] : old.leaves) {
+        want.samples += leaf.count;
+        want.dropped += leaf.count - leaf.kept();
+        want.sampled_leaves += leaf.count > 0 ? 1u : 0u;
+    }
+    for (const auto& [path, cache] : caches.by_leaf) {
+        const auto lights = static_cast<uint32_t>(lights_in(cache));
+        want.cached_leaves += lights > 0 ? 1u : 0u;
+        want.cached_lights += lights;
+        want.cached_buckets += static_cast<uint32_t>(cache.buckets.size());
+        want.most_lights = std::max(want.most_lights, lights);
+    }
+
+    Disagreements found;
+    const auto check = [&](const char* what, uint32_t expected, uint32_t got) {
+        if (expected != got)
+            found.add(fmt::format("statistics: {}: expected {}, seen {}", what, expected, got));
+    };
+    check("nodes", want.nodes, seen.nodes);
+    check("depth", want.depth, seen.depth);
+    check("samples", want.samples, seen.samples);
+    check("dropped", want.dropped, seen.dropped);
+    check("sampled leaves", want.sampled_leaves, seen.sampled_leaves);
+    check("cached leaves", want.cached_leaves, seen.cached_leaves);
+    check("cached lights", want.cached_lights, seen.cached_lights);
+    check("cached buckets", want.cached_buckets, seen.cached_buckets);
+    check("most lights", want.most_lights, seen.most_lights);
+    check("any lights left out", caches.lights_left_out, seen.lights_left_out > 0);
+    check("splits", tree.splits, seen.splits);
+    check("splits refused", tree.splits_refused, seen.splits_refused);
+    check("collapses", tree.collapses, seen.collapses);
+    return found;
+}
+
+TreeState state_after(const InnerNodes& inner, const TreeWords& seen,
+                      std::vector<uint32_t> samples) {
+    TreeState state;
+    state.inner = inner;
+    state.samples = std::move(samples);
+    const Numbering numbers(inner);
+    for (const Path& path : leaves_of(inner)) {
+        const uint32_t number = numbers.leaf(path);
+        state.leaves[path] = {0, seen.at(LEAF_STORAGE, 2, number, 0),
+                              seen.at(LEAF_STORAGE, 2, number, 1), seen.at(LEAF_VLC, 2, number, 0),
+                              seen.at(LEAF_VLC, 2, number, 1)};
+    }
+    return state;
+}
+
+} // namespace vigil::test
