@@ -36,6 +36,7 @@ vec3 cell_color(OctreeCell cell) {
 /// Whether a border of the cell passes through the pixel. `width` is the pixel's on the surface, in map units.
 bool on_cell_border(OctreeCell cell, vec3 position, vec3 normal, float width) {
     const float size = float(octree_cell_size(cell.depth));
+    if (size < 5.0 * width * guiding.scale) return false; // nothing but borders would be seen
     const vec3 inside = (position - guiding.corner) * guiding.scale - vec3(cell.corner);
     const vec3 away = max(min(inside, size - inside), 0.0) / guiding.scale;
     // Along the surface; a face that the surface lies in is no border on it.

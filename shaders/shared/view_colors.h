@@ -60,9 +60,9 @@ SHADER_FN float view_depth_grey(float distance) {
 // Colours of classes, sRGB.
 SHADER_CONST vec3 VIEW_OFF = vec3(0.20f, 0.22f, 0.28f);        // there is nothing to show
 SHADER_CONST vec3 VIEW_EMPTY = vec3(0.08f, 0.08f, 0.08f);      // a count of 0
-SHADER_CONST vec3 VIEW_CACHE = vec3(0.45f, 0.78f, 0.97f);      // the cache drew, and it contributed
+SHADER_CONST vec3 VIEW_CACHE = vec3(0.70f, 0.90f, 1.00f);      // the cache drew, and it contributed
 SHADER_CONST vec3 VIEW_CACHE_ZERO = vec3(0.05f, 0.22f, 0.42f); // ... and it did not
-SHADER_CONST vec3 VIEW_EXPLORED = vec3(1.00f, 0.75f, 0.20f);   // exploration, the same
+SHADER_CONST vec3 VIEW_EXPLORED = vec3(1.00f, 0.70f, 0.15f);   // exploration, the same
 SHADER_CONST vec3 VIEW_EXPLORED_ZERO = vec3(0.55f, 0.25f, 0.02f);
 SHADER_CONST vec3 VIEW_ZERO_SAMPLE = vec3(1.00f, 0.65f, 0.10f); // a light sample that contributed nothing
 SHADER_CONST vec3 VIEW_LIT_SAMPLE = vec3(0.30f, 0.36f, 0.46f);  // one that did

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the renderer says about its guiding: leaves read back against the primary hits that fell
+// into them, the texts of `vlcinfo`, `guiding` and `scene`, and the counts that come with frame
+// times.
+#include "refresh/vkpt/guiding/leaf_report.h"
+
+#include "refresh/vkpt/guiding/guiding_counts.h"
+#include "render_test.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+
+namespace vigil::test {
+namespace {
+
+class GuidingText : public RenderTest {
+protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        load("rooms");
+        shot_.view = {{290, 20, 96}, {5, 55, 0}, 90};
+        set("pt_nee", "vlc");
+    }
+    void render(int frames) {
+        for (int i = 0; i < frames; ++i)
+            renderer().render(shot_.frame());
+    }
+    static std::vector<shader::PrimaryHit> lit_hits() {
+        const glm::uvec2 size = renderer().path_tracer().size();
+        std::vector<shader::PrimaryHit> hits = gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().path_tracer().primary_hits(), 0,
+            uint64_t{size.x} * size.y);
+        std::erase_if(hits, [](const auto& hit) { return hit.primitive == shader::NONE; });
+        return hits;
+    }
+    /// The counts of the last frame.
+    static std::map<std::string, double> last_counts() {
+        const std::vector<refresh::FrameTimes> times = renderer().take_frame_times(true);
+        std::map<std::string, double> counts;
+        if (times.empty()) return counts;
+        for (const refresh::FrameCount& count : times.back().counts)
+            counts[count.name] = count.value;
+        return counts;
+    }
+    static bool says(std::string_view part) {
+        return renderer().describe_leaf().find(part) != std::string::npos;
+    }
+
+    Shot shot_;
+};
+
+TEST_F(GuidingText, LeavesHoldTheHitsThatFellIntoThem) {
+    set("pt_bounces", "0"); // primary hits are all surface samples
+    set("pt_oct_scale", "0.25");
+    render(8);
+    const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
+    std::map<uint32_t, uint32_t> counted;
+    std::map<uint32_t, vkpt::LeafReport> reports;
+    for (const shader::PrimaryHit& hit : lit_hits()) {
+        const vkpt::LeafReport report = tree.leaf_at(hit.position, 32);
+        ++counted[report.leaf];
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            EXPECT_GE(hit.position[axis], report.corner[axis] - 0.01f);
+            EXPECT_LE(hit.position[axis], report.corner[axis] + report.size + 0.01f);
+        }
+        reports.emplace(report.leaf, report);
+    }
+    EXPECT_GT(reports.size(), 8u);
+    for (const auto& [leaf, report] : reports) {
+        EXPECT_EQ(report.samples, counted[leaf]) << "leaf " << leaf;
+        EXPECT_EQ(report.dropped(),
+                  report.samples > report.room ? report.samples - report.room : 0);
+        // The cubes halve from level to level; the path's last number is the leaf's child number.
+        EXPECT_NEAR(report.size * std::exp2(static_cast<float>(report.path.size())),
+                    65536.0f / renderer().guiding().header().scale, 0.1f);
+        EXPECT_EQ(report.path.back(), leaf % 8);
+    }
+}
+
+TEST_F(GuidingText, NeighboursTouch) {
+    set("pt_oct_scale", "0.25");
+    render(8);
+    const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
+    const shader::GuidingHeader& header = renderer().guiding().header();
+    size_t found = 0;
+    for (const shader::PrimaryHit& hit : lit_hits()) {
+        const vkpt::LeafReport report = tree.leaf_at(hit.position, 32);
+        // In smallest cells. A neighbour that is divided finer counts with its part at the middle.
+        const glm::vec3 low = glm::round((report.corner - header.corner) * header.scale);
+        const float size = std::round(report.size * header.scale);
+        for (size_t face = 0; face < 6; ++face) {
+            if (report.neighbours[face] == shader::NONE) continue;
+            const auto axis = static_cast<glm::length_t>(face / 2);
+            glm::vec3 beyond = low + 0.5f * size;
+            beyond[axis] = face % 2 ? low[axis] + size : low[axis] - 1.0f;
+            const glm::vec3 place = header.corner + (beyond + 0.5f) / header.scale;
+            EXPECT_EQ(tree.leaf_at(place, 32).leaf, report.neighbours[face]);
+            ++found;
+        }
+    }
+    EXPECT_GT(found, 100u);
+}
+
+TEST_F(GuidingText, VlcinfoNamesTheLeafAndItsLights) {
+    render(8);
+    const std::string text = renderer().describe_leaf();
+    for (const std::string_view part :
+         {"under the crosshair: ", "leaf ", ": path ", "depth ", "cube ", "samples ", "room for ",
+          "dropped", "source ", "neighbours ", "cache ", "bucket 0: ", "static world"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    }
+}
+
+TEST_F(GuidingText, VlcinfoKnowsWhoseLightsTheyAre) {
+    // The steady lamps out, so that the others fill the caches.
+    shot_.view = {{40, 40, 60}, {0, 35, 0}, 90};
+    refresh::Entity door;
+    door.number = 5;
+    door.model = renderer().register_model("*1");
+    door.origin = {-40, -20, 20};
+    shot_.entities = {door};
+    shot_.dynamic_lights = {{77, {120, 120, 40}, 16.0f, {2000, 1000, 500}}};
+    render(10);
+    EXPECT_TRUE(says("dynamic light 77")) << renderer().describe_leaf();
+    shot_.dynamic_lights.clear();
+    render(10);
+    EXPECT_FALSE(says("dynamic light 77"));
+}
+
+TEST_F(GuidingText, SaysWhenThereIsNothingToTell) {
+    set("pt_nee", "sll");
+    render(1);
+    EXPECT_TRUE(says("guiding was off in the last frame: pt_nee sll"));
+    EXPECT_NE(renderer().describe_guiding().find("guiding was off"), std::string::npos);
+    EXPECT_NE(renderer().describe_scene().find("guiding         off"), std::string::npos);
+    set("pt_nee", "vlc");
+    load("opensky");
+    EXPECT_TRUE(says("guiding was off")) << "before the level's first frame";
+    shot_.view = {{150, 0, 90}, {-80, 0, 0}, 60};
+    render(2);
+    EXPECT_TRUE(says("nothing under the crosshair")) << renderer().describe_leaf();
+}
+
+TEST_F(GuidingText, MemoryAddsUp) {
+    render(2);
+    std::istringstream lines(renderer().describe_guiding());
+    std::vector<uint64_t> bytes;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(" MiB") == std::string::npos) continue;
+        bytes.push_back(std::stoull(line.substr(24)));
+    }
+    ASSERT_EQ(bytes.size(), 7u);
+    EXPECT_EQ(bytes.back(), renderer().guiding().memory_bytes());
+    EXPECT_EQ(std::accumulate(bytes.begin(), bytes.end() - 1, uint64_t{0}), bytes.back());
+    EXPECT_NE(renderer().describe_scene().find("octree of "), std::string::npos);
+}
+
+TEST_F(GuidingText, CountsComeWithTheTimesOfTheirFrame) {
+    set("pt_bounces", "0");
+    renderer().take_frame_times(true);
+    render(6);
+    const auto hits = static_cast<double>(lit_hits().size());
+    std::map<std::string, double> counts = last_counts();
+    EXPECT_EQ(counts["samples"], hits); // of the frame before, which saw the same
+    EXPECT_EQ(counts["samples_kept"] + counts["samples_dropped"], counts["samples"]);
+    EXPECT_GT(counts["octree_leaves"], 8.0);
+    EXPECT_GT(counts["lights_per_cache"], 0.0);
+    EXPECT_LE(counts["lights_per_cache"], counts["most_lights"]);
+    EXPECT_GE(counts["buckets_per_cache"], 1.0);
+
+    renderer().reset_guiding();
+    render(1);
+    counts = last_counts();
+    EXPECT_EQ(counts["octree_leaves"], 8.0);
+    EXPECT_EQ(counts["samples"], 0.0);
+    EXPECT_EQ(counts["caches"], 0.0);
+
+    set("pt_nee", "uniform");
+    render(2);
+    EXPECT_TRUE(last_counts().empty());
+}
+
+} // namespace
+} // namespace vigil::test
