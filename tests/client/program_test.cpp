@@ -7,6 +7,7 @@
 #include "common/cvar.h"
 #include "common/log.h"
 #include "fake_renderer.h"
+#include "shared/views.h"
 #include "test_game.h"
 
 #include <nlohmann/json.hpp>
@@ -173,6 +174,8 @@ TEST_F(ProgramTest, FliesARouteAndReports) {
     const auto report = nlohmann::json::parse(game_.read("out/fly.json"));
     EXPECT_EQ(report["frames"].size(), 6u);
     EXPECT_EQ(report["frames"][5]["passes_ms"]["shade"], 3.0);
+    // Frames 0 to 5 of the renderer counted as many leaves as their number.
+    EXPECT_DOUBLE_EQ(report["guiding"]["leaves"], 2.5);
     EXPECT_EQ(report["device"], "a fake device");
     EXPECT_EQ(report["level"], "tiny");
     EXPECT_EQ(report["variables"]["timedemo_json"], "fly.json");
@@ -228,6 +231,41 @@ TEST_F(ProgramTest, PrintsWhatIsAskedFor) {
         EXPECT_NE(output_.find(text), std::string::npos) << text;
     }
     EXPECT_EQ(render_.calls.back(), "export " + game_.outdir() + "/tiny.gltf");
+}
+
+TEST_F(ProgramTest, WalksThroughTheViews) {
+    const int count = choice_count(view_choices);
+    std::string walk = "+map tiny +view zero +viewnext +echo at $pt_view +viewprev +viewprev";
+    EXPECT_EQ(run(walk + " +echo at $pt_view +view none +viewprev +echo at $pt_view"), 0);
+    EXPECT_NE(output_.find("view zero: light samples that contributed nothing"), std::string::npos);
+    EXPECT_NE(output_.find("at nonfinite\n"), std::string::npos);
+    EXPECT_NE(output_.find("at technique\n"), std::string::npos);
+    EXPECT_NE(output_.find("at light\n"), std::string::npos); // the last: round and round
+    std::string around = "+map tiny +view none";
+    for (int i = 0; i < count; ++i)
+        around += " +viewnext";
+    output_.clear();
+    EXPECT_EQ(run(around + " +echo at $pt_view +view"), 0);
+    EXPECT_NE(output_.find("at none\n"), std::string::npos);
+    for (const ViewInfo& info : view_infos)
+        EXPECT_NE(output_.find(info.help), std::string::npos) << info.name;
+    EXPECT_EQ(run("+view nowhere"), 1);
+}
+
+TEST_F(ProgramTest, TellsWhatGuidingKnows) {
+    EXPECT_EQ(run("+map tiny +wait 3 +vlcinfo +guiding +setviewpos 1 2 3 +vlcinfo"), 0);
+    EXPECT_NE(output_.find("a fake leaf\n"), std::string::npos);
+    EXPECT_NE(output_.find("fake guiding\n"), std::string::npos);
+    EXPECT_NE(output_.find("mean of 3 frames"), std::string::npos);
+    EXPECT_EQ(render_.count("render"), 4u); // the second leaf is that of the new view
+    // What was learned before counts no more, and the last picture is stale.
+    render_.calls.clear();
+    EXPECT_EQ(run("+map tiny +wait 3 +guidingreset +screenshot a"), 0);
+    EXPECT_EQ(render_.calls, (std::vector<std::string>{"map tiny", "render", "render", "render",
+                                                       "reset guiding", "render", "picture"}));
+    EXPECT_EQ(run("+vlcinfo"), 1); // no level
+    EXPECT_EQ(run("+guiding"), 1);
+    EXPECT_EQ(run("+guidingreset"), 1);
 }
 
 TEST_F(ProgramTest, ModelsThatCannotBeLoadedAreLeftOut) {

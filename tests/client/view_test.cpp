@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Camera, routes and the statistics of pass times.
 #include "client/camera.h"
+#include "client/count_statistics.h"
 #include "client/pass_statistics.h"
 #include "client/route.h"
 #include "common/error.h"
@@ -53,6 +54,26 @@ TEST(Camera, SetViewPosTextBringsItBack) {
     Camera camera;
     camera.set({1.25f, -2.5f, 1000.0f}, {-12.5f, 190.0f, 0.0f});
     EXPECT_EQ(camera.setviewpos_text(), "setviewpos 1.25 -2.50 1000.00 -12.50 -170.00 0.00");
+}
+
+TEST(CountStatistics, MeansOfRecentFramesOrOfAll) {
+    CountStatistics recent(2), all(0);
+    for (const double value : {1.0, 2.0, 6.0}) {
+        const std::vector<refresh::FrameCount> counts{{"leaves", value}, {"depth", 3.0}};
+        recent.add_frame(counts);
+        all.add_frame(counts);
+    }
+    recent.add_frame({}); // guiding was off: no frame to count
+    EXPECT_EQ(recent.frame_count(), 2u);
+    ASSERT_EQ(recent.means().size(), 2u);
+    EXPECT_EQ(recent.means()[0].name, "leaves");
+    EXPECT_DOUBLE_EQ(recent.means()[0].value, 4.0);
+    EXPECT_DOUBLE_EQ(all.means()[0].value, 3.0);
+    EXPECT_DOUBLE_EQ(all.means()[1].value, 3.0);
+    EXPECT_NE(all.table().find("mean of 3 frames"), std::string::npos);
+    recent.clear();
+    EXPECT_TRUE(recent.means().empty());
+    EXPECT_EQ(recent.table(), "no frame has been counted");
 }
 
 TEST(Route, PassesThroughItsKeys) {

@@ -369,6 +369,23 @@ TEST_F(Textures, FilterBilinearAndNearest) {
     }
 }
 
+TEST_F(Textures, FullFilterNeverTakesASmallerLevel) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> uniform(-3.0f, 3.0f);
+    std::vector<glm::vec4> near, far;
+    for (int i = 0; i < 200; ++i) {
+        near.push_back({header_, uniform(random), uniform(random), 0.0f});
+        far.push_back({near.back().x, near.back().y, near.back().z, 0.7f}); // most of a repeat
+    }
+    const std::vector<glm::vec4> expected = probe(1, near);
+    const std::vector<glm::vec4> averaged = probe(1, far);
+    set("pt_texture_filter", "full");
+    radiance(shot_);
+    EXPECT_EQ(probe(1, near), expected);
+    EXPECT_EQ(probe(1, far), expected);
+    EXPECT_NE(averaged, expected);
+}
+
 TEST_F(Textures, WallsShowThemUprightWhereTexinfoSays) {
     set("pt_texture_filter", "nearest");
     shot_.view.fov = 8; // so close that the finest level of detail shows

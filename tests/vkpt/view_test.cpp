@@ -199,7 +199,7 @@ TEST_F(Views, EachLeafHasItsColourAndBorders) {
         borders += is_border ? 1 : 0;
     }
     EXPECT_GT(brightest.size(), 10u);
-    EXPECT_GT(borders, hits.size() / 50);
+    EXPECT_GT(borders, hits.size() / 100);
     EXPECT_GT(inside, borders);
 }
 
