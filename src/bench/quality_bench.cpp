@@ -105,8 +105,8 @@ void add_measurement(RowResult& row, const Measurement& measured) {
 }
 
 void begin_view(RowResult& row) {
-    for (Strata* strata : {&row.mse, &row.relative_mse, &row.mean_ratio, &row.unlit, &row.explored,
-                           &row.prepare_ms, &row.path_ms})
+    for (Strata* strata : {&row.mse, &row.trimmed_mse, &row.relative_mse, &row.mean_ratio,
+                           &row.unlit, &row.explored, &row.prepare_ms, &row.path_ms})
         strata->emplace_back();
     row.pass_ms.resize(std::size(vkpt::pass_names));
     for (Strata& strata : row.pass_ms)
@@ -117,7 +117,7 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
                           const std::string& level, Progress& progress) {
     LevelResult result{level, {}, {}, 0};
     for (const QualityRow& row : options.rows)
-        result.rows.push_back({row, {}, {}, {}, {}, {}, {}, {}, {}});
+        result.rows.emplace_back().row = row;
     for (const Place& place : renderer.places()) {
         // All rows take turns, so that whatever else the machine does falls on all of them.
         Pictures pictures(options.rows.size());
@@ -143,6 +143,7 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
             for (const std::vector<float>& picture : pictures[row]) {
                 const PictureError error = picture_error(picture, reference);
                 result.rows[row].mse.back().push_back(error.mse);
+                result.rows[row].trimmed_mse.back().push_back(error.trimmed_mse);
                 result.rows[row].relative_mse.back().push_back(error.relative_mse);
                 result.rows[row].mean_ratio.back().push_back(error.mean_ratio);
             }
@@ -156,7 +157,8 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
                           const std::string& level, Progress& progress) {
     CurveResult result{level, {}, {}};
     for (const QualityRow& row : options.rows)
-        result.rows.push_back({row, std::vector<Strata>(options.curve_frames)});
+        result.rows.push_back({row, std::vector<Strata>(options.curve_frames),
+                               std::vector<Strata>(options.curve_frames)});
     for (const Place& place : renderer.places()) {
         // [row * seeds + seed][frame]
         Pictures pictures(options.rows.size() * options.seeds);
@@ -181,11 +183,14 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
             }));
         for (std::size_t row = 0; row < options.rows.size(); ++row) {
             for (int frame = 0; frame < options.curve_frames; ++frame) {
-                std::vector<double> errors;
-                for (int seed = 0; seed < options.seeds; ++seed)
-                    errors.push_back(
-                        picture_error(pictures[row * options.seeds + seed][frame], reference).mse);
-                result.rows[row].mse[frame].push_back(std::move(errors));
+                std::vector<double>& mse = result.rows[row].mse[frame].emplace_back();
+                std::vector<double>& trimmed = result.rows[row].trimmed_mse[frame].emplace_back();
+                for (int seed = 0; seed < options.seeds; ++seed) {
+                    const PictureError error =
+                        picture_error(pictures[row * options.seeds + seed][frame], reference);
+                    mse.push_back(error.mse);
+                    trimmed.push_back(error.trimmed_mse);
+                }
             }
         }
     }

@@ -67,7 +67,7 @@ double student_t_quantile(double probability, double degrees) {
         std::exp(std::lgamma(0.5 * (degrees + 1.0)) - std::lgamma(0.5 * degrees)) /
         std::sqrt(std::numbers::pi);
     const auto below = [&](double angle) {
-        constexpr int steps = 512;
+        constexpr int steps = 256;
         const double step = angle / steps;
         double sum = 0.0;
         for (int i = 0; i <= steps; ++i) {
@@ -77,7 +77,9 @@ double student_t_quantile(double probability, double degrees) {
         return 0.5 + constant * sum * step / 3.0;
     };
     const double wanted = std::max(probability, 1.0 - probability);
-    double low = 0.0, high = 0.5 * std::numbers::pi * (1.0 - 1e-12);
+    // With many degrees the density is a narrow peak, which the steps must not miss: up to t = 40.
+    double low = 0.0;
+    double high = std::min(0.5 * std::numbers::pi * (1.0 - 1e-12), 40.0 / std::sqrt(degrees));
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (below(middle) < wanted ? low : high) = middle;
@@ -159,12 +161,16 @@ double relative_variance(const Reference& reference) {
 
 PictureError picture_error(std::span<const float> picture, const Reference& reference) {
     const double floor = relative_floor(reference);
+    const std::size_t pixels = picture.size() / 3;
     PictureError error;
+    std::vector<double> distances(pixels), squares(pixels);
     for (std::size_t i = 0; i < picture.size(); ++i) {
         const double expected = reference.mean(i);
         const double difference = static_cast<double>(picture[i]) - expected;
         // E[(x - r)^2] = E[(x - truth)^2] + var(r): the reference's part is known, and taken off.
         const double square = difference * difference - reference.variance(i);
+        distances[i / 3] += difference * difference;
+        squares[i / 3] += square;
         error.mse += square;
         error.relative_mse += square / (expected * expected + floor);
         error.mean_ratio += static_cast<double>(picture[i]);
@@ -173,6 +179,20 @@ PictureError picture_error(std::span<const float> picture, const Reference& refe
     error.mse /= count;
     error.relative_mse /= count;
     error.mean_ratio /= count * reference.picture_mean();
+
+    // Pixels up to the largest distance that is kept.
+    std::vector<double> sorted = distances;
+    const auto dropped =
+        static_cast<std::size_t>(std::ceil(trimmed_share * static_cast<double>(pixels)));
+    const auto largest = sorted.begin() + (pixels - 1 - std::min(dropped, pixels - 1));
+    std::nth_element(sorted.begin(), largest, sorted.end());
+    std::size_t kept = 0;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        if (distances[pixel] > *largest) continue;
+        error.trimmed_mse += squares[pixel];
+        ++kept;
+    }
+    error.trimmed_mse /= 3.0 * static_cast<double>(kept);
     return error;
 }
 

@@ -23,7 +23,7 @@ struct Interval {
 using Strata = std::vector<std::vector<double>>;
 
 /// x with P(T <= x) = probability for Student's t with `degrees` > 0 degrees of freedom (not
-/// necessarily whole); absolute error below 1e-6 for |x| < 100. `probability` in (0, 1).
+/// necessarily whole), for |x| < 40: relative error below 1e-5. `probability` in (0, 1).
 double student_t_quantile(double probability, double degrees);
 
 /// Mean of the views' means. The interval is about the seeds, for these very views: Student's t
@@ -47,14 +47,18 @@ Interval widened(const Interval& interval, double standard_error);
 
 double median(std::vector<double> values);
 
+/// Of the pixels, largest errors that trimmed_mse leaves out: fireflies.
+inline constexpr double trimmed_share = 0.001;
+
 struct PictureError {
     double mse = 0.0;          // mean over pixels and channels of (x - r)^2 - var(r)
+    double trimmed_mse = 0.0;  // mse without the trimmed_share of pixels whose error is largest
     double relative_mse = 0.0; // the same with each term over r^2 + relative_floor
     double mean_ratio = 0.0;   // mean(x) / mean(r): shows energy that is lost or made
 };
 
-/// Error of `picture` (as many values as the reference has; at least two batches), without that of
-/// the reference: unbiased for `mse` if the two are independent.
+/// Error of `picture` (RGB, as many values as the reference has; at least two batches), without
+/// that of the reference: unbiased for `mse` if the two are independent.
 PictureError picture_error(std::span<const float> picture, const Reference& reference);
 
 /// Added to r^2 in the relative error: (a tenth of the reference's mean value)^2, so that black

@@ -16,6 +16,21 @@ ordered_json to_json(const Interval& interval) {
     return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
 }
 
+/// A curve, with the frame where it settles.
+ordered_json to_json(const std::vector<Strata>& curve) {
+    const Settled settled = settled_of(curve);
+    ordered_json frames = ordered_json::array();
+    for (const Strata& frame : curve) {
+        frames.push_back(to_json(mean_interval(frame)));
+        frames.back()["by_view_and_seed"] = frame;
+    }
+    return {{"settled", settled.level},
+            {"settled_tail", settled_tail},
+            {"settled_factor", settled_factor},
+            {"settled_frame", settled.frame},
+            {"frames", std::move(frames)}};
+}
+
 ordered_json to_json(const QualityRow& row) {
     ordered_json variables = ordered_json::object();
     for (const Setting& setting : row.settings)
@@ -45,9 +60,9 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
 
 } // namespace
 
-Settled settled_of(const CurveRow& row) {
+Settled settled_of(const std::vector<Strata>& curve) {
     std::vector<double> means;
-    for (const Strata& frame : row.mse)
+    for (const Strata& frame : curve)
         means.push_back(mean_interval(frame).value);
     return settle(means, settled_tail, settled_factor);
 }
@@ -70,6 +85,7 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
                 to_json(ratio_over_views(row.*member, baseline->*member));
         };
         add_error("mse", &RowResult::mse);
+        add_error("trimmed_mse", &RowResult::trimmed_mse);
         add_error("relative_mse", &RowResult::relative_mse);
         add("mean_ratio", &RowResult::mean_ratio);
         add("unlit", &RowResult::unlit);
@@ -94,16 +110,8 @@ ordered_json curve_json(const CurveResult& result) {
     ordered_json rows = ordered_json::array();
     for (const CurveRow& row : result.rows) {
         ordered_json json = to_json(row.row);
-        const Settled settled = settled_of(row);
-        json["settled"] = {{"mse", settled.level},
-                           {"tail", settled_tail},
-                           {"factor", settled_factor},
-                           {"frame", settled.frame}};
-        json["frames"] = ordered_json::array();
-        for (const Strata& frame : row.mse) {
-            json["frames"].push_back(to_json(mean_interval(frame)));
-            json["frames"].back()["by_view_and_seed"] = frame;
-        }
+        json["mse"] = to_json(row.mse);
+        json["trimmed_mse"] = to_json(row.trimmed_mse);
         rows.push_back(std::move(json));
     }
     return {{"level", result.level}, {"views", to_json(result.views)}, {"rows", std::move(rows)}};
@@ -127,6 +135,7 @@ ordered_json settings_json(const QualityOptions& options, const std::string& dev
             {"warmup", options.warmup},
             {"camera_fps", place_fps},
             {"baseline", options.baseline},
+            {"trimmed_share", trimmed_share},
             {"reference_paths", options.reference_paths},
             {"reference_share", options.reference_share},
             {"variables", std::move(variables)},

@@ -17,7 +17,7 @@ namespace vigil::bench {
 /// One row of a level; every Strata is [view][seed].
 struct RowResult {
     QualityRow row;
-    Strata mse, relative_mse, mean_ratio;
+    Strata mse, trimmed_mse, relative_mse, mean_ratio;
     Strata unlit, explored;      // shares of primary hits
     std::vector<Strata> pass_ms; // by pass
     Strata prepare_ms, path_ms;  // sums: passes of guiding; primary, direct and indirect
@@ -42,10 +42,10 @@ struct LevelResult {
     std::uint32_t nonfinite = 0;
 };
 
-/// Error by frame from an empty cache: mse[frame] is [view][seed].
+/// Error by frame from an empty cache: [frame], then [view][seed].
 struct CurveRow {
     QualityRow row;
-    std::vector<Strata> mse;
+    std::vector<Strata> mse, trimmed_mse;
 };
 
 struct CurveResult {
@@ -59,7 +59,7 @@ inline constexpr int settled_tail = 8;
 inline constexpr double settled_factor = 1.1;
 
 /// The settled error of a curve and the frame where it is reached.
-Settled settled_of(const CurveRow& row);
+Settled settled_of(const std::vector<Strata>& curve);
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result);
 std::string curve_text(const QualityOptions& options, const CurveResult& result);

@@ -81,27 +81,32 @@ std::string error_table(const QualityOptions& options, const LevelResult& result
 
 std::string ratios_by_view(const QualityOptions& options, const LevelResult& result) {
     const RowResult& baseline = baseline_of(options, result);
-    std::string text = fmt::format("  MSE / {} view by view\n", options.baseline);
-    for (const RowResult& row : result.rows) {
-        text += fmt::format("  {:<12}", row.row.label);
-        for (std::size_t view = 0; view < result.views.size(); ++view) {
-            const Interval ratio = ratio_interval({row.mse[view]}, {baseline.mse[view]});
-            text += fmt::format("{:>8} {:<16}", number(ratio.value), range(ratio));
+    std::string text;
+    for (const auto& [member, name] :
+         {std::pair(&RowResult::mse, "MSE"), std::pair(&RowResult::trimmed_mse, "trimmed MSE")}) {
+        text += fmt::format("  {} / {} view by view\n", name, options.baseline);
+        for (const RowResult& row : result.rows) {
+            text += fmt::format("  {:<12}", row.row.label);
+            for (std::size_t view = 0; view < result.views.size(); ++view) {
+                const Interval ratio =
+                    ratio_interval({(row.*member)[view]}, {(baseline.*member)[view]});
+                text += fmt::format("{:>8}  {:<18}", number(ratio.value), range(ratio));
+            }
+            text += '\n';
         }
-        text += '\n';
     }
     return text;
 }
 
 std::string sample_table(const LevelResult& result) {
-    std::string text = fmt::format("{:<14}{:<28}{:<28}{:<28}\n", "  row", "mean - reference",
+    std::string text = fmt::format("{:<14}{:<30}{:<30}{:<30}\n", "  row", "mean - reference",
                                    "samples with no contribution", "samples that explore");
     const double error = reference_mean_error(result.views);
     for (const RowResult& row : result.rows) {
         Interval mean = widened(mean_interval(row.mean_ratio), error);
         for (double* value : {&mean.value, &mean.low, &mean.high})
             *value -= 1.0;
-        text += fmt::format("  {:<12}{:<28}{:<28}{:<28}\n", row.row.label, percent_range(mean),
+        text += fmt::format("  {:<12}{:<30}{:<30}{:<30}\n", row.row.label, percent_range(mean),
                             percent_range(mean_interval(row.unlit)),
                             percent_range(mean_interval(row.explored)));
     }
@@ -148,6 +153,14 @@ std::string time_table(const QualityOptions& options, const LevelResult& result)
     return text;
 }
 
+std::string settled_text(const std::string& label, const Settled& settled, int frames) {
+    const std::string when = settled.frame > frames
+                                 ? "never stays"
+                                 : fmt::format("from frame {} on stays", settled.frame);
+    return fmt::format("  {}: settled at {}; {} within {} times that\n", label,
+                       number(settled.level), when, settled_factor);
+}
+
 std::string heading(const QualityOptions& options, const std::string& level,
                     const std::vector<ViewResult>& views) {
     return fmt::format("\n{}: {} x {} pixels, {} views, {} seeds; reference by {}\n", level,
@@ -163,6 +176,9 @@ std::string quality_text(const QualityOptions& options, const LevelResult& resul
     text += error_table(options, result, &RowResult::mse, "MSE",
                         mean_over_views(result.views, &ViewResult::variance));
     text += '\n';
+    text += error_table(options, result, &RowResult::trimmed_mse, "trimmed",
+                        mean_over_views(result.views, &ViewResult::variance));
+    text += '\n';
     text += error_table(options, result, &RowResult::relative_mse, "rel. MSE",
                         mean_over_views(result.views, &ViewResult::relative_variance));
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
@@ -175,22 +191,23 @@ std::string quality_text(const QualityOptions& options, const LevelResult& resul
 
 std::string curve_text(const QualityOptions& options, const CurveResult& result) {
     std::string text = heading(options, result.level, result.views) + views_text(result.views);
-    text += fmt::format("{:<8}", "\n  frame");
-    for (const CurveRow& row : result.rows)
-        text += fmt::format("{:>12} {:<24}", row.row.label, "95%");
-    text += '\n';
-    for (std::size_t frame = 0; frame < result.rows.front().mse.size(); ++frame) {
-        text += fmt::format("  {:<5}", frame + 1);
-        for (const CurveRow& row : result.rows) {
-            const Interval value = mean_interval(row.mse[frame]);
-            text += fmt::format("{:>12} {:<24}", number(value.value), range(value));
-        }
+    for (const auto& [member, name] :
+         {std::pair(&CurveRow::mse, "MSE"), std::pair(&CurveRow::trimmed_mse, "trimmed MSE")}) {
+        text += fmt::format("\n  {}\n  frame", name);
+        for (const CurveRow& row : result.rows)
+            text += fmt::format("{:>12}  {:<20}", row.row.label, "95%");
         text += '\n';
-    }
-    for (const CurveRow& row : result.rows) {
-        const Settled settled = settled_of(row);
-        text += fmt::format("  {}: settled at {}, within {} times that from frame {} on\n",
-                            row.row.label, number(settled.level), settled_factor, settled.frame);
+        for (std::size_t frame = 0; frame < (result.rows.front().*member).size(); ++frame) {
+            text += fmt::format("  {:<5}", frame + 1);
+            for (const CurveRow& row : result.rows) {
+                const Interval value = mean_interval((row.*member)[frame]);
+                text += fmt::format("{:>12}  {:<20}", number(value.value), range(value));
+            }
+            text += '\n';
+        }
+        for (const CurveRow& row : result.rows)
+            text += settled_text(row.row.label, settled_of(row.*member),
+                                 static_cast<int>((row.*member).size()));
     }
     return text;
 }

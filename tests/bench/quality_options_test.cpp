@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The quality benchmark's command line: rows as data, and messages for what makes no sense.
+#include "bench/quality_options.h"
+
+#include "common/error.h"
+#include "shared/techniques.h"
+
+#include <gtest/gtest.h>
+
+namespace vigil::bench {
+
+namespace {
+
+QualityOptions parse(const std::vector<std::string>& words) {
+    return parse_quality_options(words);
+}
+
+std::vector<std::string> labels(const QualityOptions& options) {
+    std::vector<std::string> result;
+    for (const QualityRow& row : options.rows)
+        result.push_back(row.label);
+    return result;
+}
+
+} // namespace
+
+TEST(QualityOptions, EveryTechniqueButBruteIsARow) {
+    const QualityOptions options = parse({});
+    EXPECT_EQ(options.rows.size(), std::size(technique_infos) - 1);
+    for (const QualityRow& row : options.rows) {
+        EXPECT_NE(row.label, "brute");
+        ASSERT_EQ(row.settings.size(), 1u);
+        EXPECT_EQ(row.settings[0].name, "pt_nee");
+        EXPECT_EQ(row.settings[0].value, row.label);
+    }
+    EXPECT_EQ(options.baseline, "sll");
+    EXPECT_EQ(options.levels, (std::vector<std::string>{"warehouse", "mine", "gallery"}));
+}
+
+TEST(QualityOptions, VariantsAreRowsWithOtherVariables) {
+    const QualityRow row = parse_variant("small:pt_nee=sll,pt_sll_max=8");
+    EXPECT_EQ(row.label, "small");
+    ASSERT_EQ(row.settings.size(), 2u);
+    EXPECT_EQ(row.settings[1].name, "pt_sll_max");
+    EXPECT_EQ(row.settings[1].value, "8");
+    const QualityOptions options =
+        parse({"--technique", "sll", "--variant", "small:pt_nee=sll,pt_sll_max=8"});
+    EXPECT_EQ(labels(options), (std::vector<std::string>{"sll", "small"}));
+}
+
+TEST(QualityOptions, BadVariantsAreNamed) {
+    for (const char* text : {"label", ":pt_spp=1", "label:", "label:pt_spp", "label:pt_nothing=1"})
+        EXPECT_THROW(parse_variant(text), Error) << text;
+}
+
+TEST(QualityOptions, NumbersAreCheckedAndOptionsKnown) {
+    EXPECT_EQ(parse({"--size", "64x32"}).size, glm::ivec2(64, 32));
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"--size", "64"},
+                                               {"--size", "64x"},
+                                               {"--views", "0"},
+                                               {"--views", "many"},
+                                               {"--views"},
+                                               {"--technique", "magic"},
+                                               {"--reference", "magic"},
+                                               {"--baseline", "magic"},
+                                               {"--set", "pt_nothing", "1"},
+                                               {"--technique", "sll", "--technique", "sll"},
+                                               {"--what"}})
+        EXPECT_THROW(parse(words), Error) << words[0];
+}
+
+TEST(QualityOptions, QuickOnlyChangesWhatIsNotSaid) {
+    EXPECT_EQ(parse({"--seeds", "5", "--quick"}).seeds, 5);
+    EXPECT_LT(parse({"--quick"}).seeds, parse({}).seeds);
+    EXPECT_EQ(parse({"--quick", "--level", "mine"}).levels, (std::vector<std::string>{"mine"}));
+}
+
+} // namespace vigil::bench
