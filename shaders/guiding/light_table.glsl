@@ -8,7 +8,7 @@
 
 #include "guiding/passes.glsl"
 
-// The host makes a work group one subgroup, whatever that is: barriers are cheap then, and most tables small.
+// The host makes a work group one subgroup, if that has VLC_LEAST_LANES: barriers are cheap then, and most tables small.
 layout(local_size_x_id = 0) in;
 const uint LANES = gl_WorkGroupSize.x;
 
@@ -38,20 +38,6 @@ uint id_of(uint key) { return bitfieldReverse(key); }
 /// First bits of a key: the bucket that it belongs to if there are `buckets`.
 uint bucket_of(uint key, uint buckets) { return (key >> 1u) >> (31 - findMSB(buckets)); }
 
-/// The first of a bucket's slots whose key is not smaller. Keys in a bucket ascend at all times, and a slot's key never
-/// grows: slots that this passes over stay smaller while others insert. Passing over them one by one takes long where
-/// buckets are large, and llvmpipe ends all loops of an invocation silently after 65,535 rounds together.
-uint table_search(uint first, uint key) {
-    uint slot = first;
-    for (uint left = settings.bucket; left > 0u;) {
-        const uint part = left / 2u;
-        const bool smaller = table[slot + part] < key;
-        slot = smaller ? slot + part + 1u : slot;
-        left = smaller ? left - part - 1u : part;
-    }
-    return slot;
-}
-
 /// Adds an id, unless it is there. Each slot keeps the smallest key that reaches it and hands on the others: after all
 /// insertions slot k holds the k-th smallest key of its bucket.
 void table_insert(uint buckets, uint id) {
@@ -59,7 +45,7 @@ void table_insert(uint buckets, uint id) {
     const uint bucket = bucket_of(key, buckets);
     const uint first = bucket * settings.bucket;
     const uint end = first + settings.bucket;
-    for (uint slot = table_search(first, key); slot < end; ++slot) {
+    for (uint slot = first; slot < end; ++slot) {
         uint seen = table[slot];
         if (seen == key) return;
         if (seen > key) {

@@ -32,8 +32,12 @@ SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
 /// What is stored when there was no light to sample.
 SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x7fffffffu;
 
-/// A leaf's samples beyond this many are passed over, evenly.
-SHADER_CONST uint VLC_MOST_SAMPLES = 16384u;
+/// A leaf's samples beyond this many are passed over, evenly: as many as make a leaf split at 1920 x 1080 pixels. Also,
+/// llvmpipe silently ends all loops of an invocation after 65,535 rounds together: each of the VLC_LEAST_LANES puts at
+/// most 512 of a leaf's samples, or 896 lights of it and its neighbours, into buckets of at most 64 slots.
+SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
+/// Invocations of the work groups that make caches: a subgroup, but no fewer than these.
+SHADER_CONST uint VLC_LEAST_LANES = 8u;
 /// The hash table in shared memory: light ids, and buckets (ids with equal remainder).
 SHADER_CONST uint VLC_TABLE_SIZE = 1024u;
 SHADER_CONST uint VLC_TABLE_MOST_BUCKETS = 256u;

@@ -231,14 +231,15 @@ TEST_F(VlcOracle, TableSizesAreTheDefinitions) {
 }
 
 TEST_F(VlcOracle, ManySamplesArePassedOverEvenly) {
-    EXPECT_EQ(sample_stride(16384, 16384).step, 1u);
-    EXPECT_EQ(sample_stride(32767, 16384).step, 1u);
-    EXPECT_EQ(sample_stride(50000, 16384).step, 3u);
-    std::vector<uint32_t> samples(40000, shader::LIGHT_SAMPLE_NONE);
+    EXPECT_EQ(sample_stride(4000, 4000).step, 1u);
+    EXPECT_EQ(sample_stride(7999, 4000).step, 1u);
+    EXPECT_EQ(sample_stride(12345, 4000).step, 3u);
+    constexpr uint32_t most = shader::VLC_MOST_SAMPLES;
+    std::vector<uint32_t> samples(2 * most + most / 2, shader::LIGHT_SAMPLE_NONE);
     samples[0] = visible | 1;
     samples[1] = visible | 2; // passed over
-    samples[32766] = visible | 3;
-    samples[32768] = visible | 4; // beyond the last
+    samples[2 * most - 2] = visible | 3;
+    samples[2 * most] = visible | 4; // beyond the last
     EXPECT_EQ(cache(samples, {}, plenty).own, (Lights{1, 3}));
 }
 

@@ -56,7 +56,8 @@ Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, siz
     }
     pass_layout_ = gpu::make_pipeline_layout(device, std::array{trees_[0].passes.layout()});
     // Constant 0 is the size of a work group where the shader leaves it to us.
-    const std::array constants{gpu::Specialization{0, device.features().subgroup_size}};
+    const std::array constants{
+        gpu::Specialization{0, std::max(device.features().subgroup_size, shader::VLC_LEAST_LANES)}};
     const auto make = [&](const char* name) {
         return gpu::ComputePipeline(device, pass_layout_.get(), cache, shader_code(name), constants,
                                     name);
