@@ -7,6 +7,8 @@
 #include "common/log.h"
 #include "shared/views.h"
 
+#include <iterator>
+
 namespace vigil::client {
 
 namespace {

@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <sstream>
+#include <string>
 
 namespace vigil::test {
 namespace {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 #include <imgui.h>
+#include <span>
 
 namespace vigil::vkpt {
 
