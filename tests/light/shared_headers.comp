@@ -7,6 +7,7 @@
 
 #include "shared/alias_table.h"
 #include "shared/brdf.h"
+#include "shared/cdq.h"
 #include "shared/ltc.h"
 #include "shared/octahedral.h"
 #include "shared/random.h"
@@ -17,6 +18,7 @@
 layout(set = 1, binding = 0, scalar) restrict buffer Block {
     Light light;
     AliasEntry entry;
+    uvec4 tree;
     vec4 result;
 };
 
@@ -33,4 +35,6 @@ void main() {
     const LightSample seen = sample_light(light, origin, random_next2(random));
     result = vec4(ltc_importance(diffuse, light, false), ltc_importance(glossy, light, true),
                   drawn.seen.pdf + seen.geometry, alias_choose(entry, slot));
+    tree = cdq_migrate(tree, 0u, cdq_leaf(tree, 128u, slot.column));
+    result += cdq_pdf(tree, 128u, cdq_sample(tree, 128u, random_next3(random)));
 }
