@@ -24,6 +24,10 @@ double mebibytes(uint64_t bytes) {
     return static_cast<double>(bytes) / 1048576.0;
 }
 
+std::string count_text(size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 /// Power of a light's lit side, luminance: radiance times area times pi.
 float power_of(const shader::Light& light) {
     return shader::PI * shader::light_area(light) * shader::luminance(light.radiance);
@@ -77,11 +81,11 @@ std::string cache_text(const Scene& scene, const LeafReport& report, size_t dyna
     size_t count = 0;
     for (const std::vector<uint32_t>& bucket : report.buckets)
         count += bucket.size();
-    std::string text =
-        fmt::format("  cache           {} lights in {} buckets", count, report.buckets.size());
+    std::string text = fmt::format("  cache           {} in {}", count_text(count, "light"),
+                                   count_text(report.buckets.size(), "bucket"));
     for (size_t i = 0; i < std::min(report.buckets.size(), most_buckets_listed); ++i) {
         const std::vector<uint32_t>& bucket = report.buckets[i];
-        text += fmt::format("\n  bucket {}: {} lights", i, bucket.size());
+        text += fmt::format("\n  bucket {}: {}", i, count_text(bucket.size(), "light"));
         text += lights_text(scene, bucket, dynamic_lights);
     }
     if (report.buckets.size() > most_buckets_listed)
