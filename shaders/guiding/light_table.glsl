@@ -18,11 +18,16 @@ shared uint sizes[VLC_TABLE_MOST_BUCKETS]; // ids per bucket
 /// Largest power of two that is at most `value`, which is at least 1.
 uint power_of_two_below(uint value) { return 1u << uint(findMSB(value)); }
 
+/// Number of buckets that a table can have.
+uint table_most_buckets() {
+    return power_of_two_below(min(VLC_TABLE_MOST_BUCKETS, VLC_TABLE_SIZE / settings.bucket));
+}
+
 /// Number of buckets for a set made from `count` ids: half as much room again as they need, at least, as buckets do not
 /// fill evenly.
 uint table_bucket_count(uint count) {
     const uint wanted = max((3u * count + 2u * settings.bucket - 1u) / (2u * settings.bucket), 1u);
-    const uint most = power_of_two_below(min(VLC_TABLE_MOST_BUCKETS, VLC_TABLE_SIZE / settings.bucket));
+    const uint most = table_most_buckets();
     return wanted >= most ? most : 1u << uint(findMSB(2u * wanted - 1u));
 }
 
@@ -32,29 +37,50 @@ void table_clear(uint buckets) {
     for (uint bucket = gl_LocalInvocationID.x; bucket < buckets; bucket += LANES) sizes[bucket] = 0u;
 }
 
-uint key_of(uint id) { return bitfieldReverse(id); }
-uint id_of(uint key) { return bitfieldReverse(key); }
+// A key also carries its light's age, in the lowest bits, which the reversed id leaves free.
+const uint KEY_AGE_MASK = (1u << (32u - VLC_AGE_SHIFT)) - 1u;
+
+uint key_of(uint id, uint age) { return bitfieldReverse(id) | age; }
+uint id_of(uint key) { return bitfieldReverse(key & ~KEY_AGE_MASK); }
+/// As a cache stores it.
+uint entry_of(uint key) { return id_of(key) | ((key & KEY_AGE_MASK) << VLC_AGE_SHIFT); }
+/// Whether two keys stand for the same light.
+bool same_light(uint a, uint b) { return ((a ^ b) & ~KEY_AGE_MASK) == 0u; }
 
 /// First bits of a key: the bucket that it belongs to if there are `buckets`.
 uint bucket_of(uint key, uint buckets) { return (key >> 1u) >> (31 - findMSB(buckets)); }
 
-/// Adds an id, unless it is there. Each slot keeps the smallest key that reaches it and hands on the others: after all
-/// insertions slot k holds the k-th smallest key of its bucket.
-void table_insert(uint buckets, uint id) {
-    uint key = key_of(id);
+/// The first of a bucket's slots whose key is not smaller. Keys in a bucket ascend at all times, and a slot's key never
+/// grows: slots that this passes over stay smaller while others insert. Passing over them one by one takes long where
+/// buckets are large, and llvmpipe ends all loops of an invocation silently after 65,535 rounds together.
+uint table_search(uint first, uint key) {
+    uint slot = first;
+    for (uint left = settings.bucket; left > 0u;) {
+        const uint part = left / 2u;
+        const bool smaller = table[slot + part] < key;
+        slot = smaller ? slot + part + 1u : slot;
+        left = smaller ? left - part - 1u : part;
+    }
+    return slot;
+}
+
+/// Adds a light; one that is there already gets the lower of both ages. Each slot keeps the smallest key that reaches it and
+/// hands on the others: after all insertions slot k holds the k-th smallest key of its bucket.
+void table_insert(uint buckets, uint id, uint age) {
+    uint key = key_of(id, age);
     const uint bucket = bucket_of(key, buckets);
     const uint first = bucket * settings.bucket;
     const uint end = first + settings.bucket;
-    for (uint slot = first; slot < end; ++slot) {
+    for (uint slot = table_search(first, bitfieldReverse(id)); slot < end; ++slot) {
         uint seen = table[slot];
-        if (seen == key) return;
+        if (seen <= key && same_light(seen, key)) return;
         if (seen > key) {
             seen = atomicMin(table[slot], key);
-            if (seen == key) return;
             if (seen == NONE) {
                 atomicAdd(sizes[bucket], 1u);
                 return;
             }
+            if (same_light(seen, key)) return;
             key = max(key, seen);
         }
     }

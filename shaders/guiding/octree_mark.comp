@@ -40,12 +40,14 @@ void main() {
             const uint room = old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf) + 1u];
             if (count > room) atomicAdd(work.dropped, count - room);
         }
-        if (has_samples_near(leaf, count)) {
+        const bool has_cache = settings.persist > 0u && old_leaves[leaf_word(LEAF_VLC, 2u, leaf) + 1u] > 0u;
+        if (has_cache || has_samples_near(leaf, count)) {
             leaf_lists[leaf_capacity() + atomicAdd(work.merge_groups.x, 1u)] = leaf;
         } else {
             const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
             old_leaves[cache] = 0u;
             old_leaves[cache + 1u] = 0u;
+            old_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] = 0u;
         }
     }
     if (sum > 0u) atomicAdd(work.samples, sum);

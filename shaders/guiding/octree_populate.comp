@@ -12,10 +12,12 @@ layout(local_size_x = 64) in;
 shared uint group_room; // samples of all leaves of this group
 shared uint group_first;
 
-/// The old leaf that a new leaf takes its cache from, and how many samples it is to expect.
-uint find_source(uint node, uint child, out uint demand) {
+/// The old leaf that a new leaf takes its cache from, how many samples the new one is to expect, and whether it is a part of the
+/// old one.
+uint find_source(uint node, uint child, out uint demand, out bool split) {
     const uint source = plan[plan_source(node)];
-    if ((source & SOURCE_SPLIT) != 0u) {
+    split = (source & SOURCE_SPLIT) != 0u;
+    if (split) {
         const uint leaf = source & ~SOURCE_SPLIT;
         demand = demand_of_part(old_leaf_count(leaf));
         return leaf;
@@ -72,9 +74,10 @@ void main() {
     // buffer go; the rest evenly, for surfaces that come into view.
     uint room = 0u;
     uint source = NONE;
+    bool split = false;
     if (is_leaf) {
         uint demand;
-        source = find_source(node, child, demand);
+        source = find_source(node, child, demand, split);
         const float wanted = 1.25 * float(work.demand);
         const float divisible = 0.75 * float(header.sample_capacity);
         const float share = wanted > divisible ? divisible / wanted : 1.0;
@@ -103,6 +106,8 @@ void main() {
     const uint old_cache = leaf_word(LEAF_VLC, 2u, source);
     new_leaves[cache] = old_leaves[old_cache];
     new_leaves[cache + 1u] = old_leaves[old_cache + 1u];
+    new_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] =
+        old_leaves[leaf_word(LEAF_CACHED, 1u, source)] | (split ? LEAF_INHERITED : 0u);
 
     const OctreeCell cell = octree_child_cell(octree_unpack_cell(new_cells[node]), child);
     if (leaf == octree_leaf(new_node_count - 1u, 7u)) work.depth = cell.depth; // the last leaf is a deepest

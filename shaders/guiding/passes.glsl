@@ -24,10 +24,12 @@ layout(set = 0, binding = 6, scalar) restrict buffer NewLeafBlock { uint new_lea
 // What becomes of old nodes (plan_*), and where new ones come from (plan_source): four arrays, one word per node.
 layout(set = 0, binding = 7, scalar) restrict buffer PlanBlock { uint plan[]; };
 layout(set = 0, binding = 8, scalar) restrict buffer SampleBlock { uint light_samples[]; };
-layout(set = 0, binding = 9, scalar) restrict buffer VlcBlock { uint vlc_lights[]; };
+layout(set = 0, binding = 9, scalar) restrict writeonly buffer VlcBlock { uint vlc_lights[]; };
 // Old leaves to work on: those to deduplicate, then, from leaf_capacity() on, those to merge.
 layout(set = 0, binding = 10, scalar) restrict buffer ListBlock { uint leaf_lists[]; };
 layout(set = 0, binding = 11, scalar) restrict buffer WorkBlock { GuidingWork work; };
+
+layout(set = 0, binding = 12, scalar) restrict readonly buffer OldVlcBlock { uint old_caches[]; };
 
 layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; };
 

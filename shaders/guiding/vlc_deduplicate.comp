@@ -23,7 +23,7 @@ void main() {
     barrier();
     for (uint i = lane; i < processed; i += LANES) {
         const uint light_sample = light_samples[first + i * stride];
-        if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) table_insert(buckets, light_sample & ~LIGHT_SAMPLE_VISIBLE);
+        if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) table_insert(buckets, light_sample & VLC_ID_MASK, 0u);
     }
     barrier();
     for (uint bucket = lane; bucket < buckets; bucket += LANES) {

@@ -10,6 +10,7 @@
 const uint LISTS = 7u;
 shared uint list_first[LISTS];
 shared uint list_length[LISTS];
+shared uint samples; // in the leaf and its neighbours
 
 shared uint too_full; // a power of two is set if there cannot be that few buckets
 shared uint lights;
@@ -21,8 +22,37 @@ void find_lists(uint leaf) {
     for (uint list = gl_LocalInvocationID.x; list < LISTS; list += LANES) {
         uint owner = leaf;
         if (list > 0u) owner = settings.merge != 0u ? old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + list - 1u] : NONE;
+        if (owner != NONE) atomicAdd(samples, old_leaf_count(owner));
         list_length[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
         list_first[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, 2u, owner)];
+    }
+}
+
+/// By how many frames the entries of the cache of the frame before are older now: by one, if any sample could have seen the
+/// light. The lights of a leaf that was split are soon forgotten by those of its parts that do not see them.
+uint ageing(bool inherited) {
+    if (inherited) return (3u * settings.persist + 3u) / 4u;
+    return samples > 0u ? 1u : 0u;
+}
+
+/// Adds an entry of that cache, unless it is too old.
+void insert_old_entry(uint table_buckets, uint entry, uint older) {
+    const uint age = (entry >> VLC_AGE_SHIFT) + older;
+    if (age <= settings.persist) table_insert(table_buckets, entry & VLC_ID_MASK, age);
+}
+
+void insert_old_cache(uint table_buckets, uint first, uint buckets, uint count, uint older) {
+    const uint lane = gl_LocalInvocationID.x;
+    if (buckets == 1u) { // has no gaps: lanes share it
+        for (uint i = lane; i < count; i += LANES) insert_old_entry(table_buckets, old_caches[first + i], older);
+        return;
+    }
+    for (uint bucket = lane; bucket < buckets; bucket += LANES) {
+        for (uint i = 0u; i < settings.bucket; ++i) {
+            const uint entry = old_caches[first + bucket * settings.bucket + i];
+            if (entry == NONE) break;
+            insert_old_entry(table_buckets, entry, older);
+        }
     }
 }
 
@@ -49,23 +79,34 @@ void main() {
     const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
     const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
     const uint buckets_before = old_leaves[cache + 1u];
-    find_lists(leaf);
+    const uint cached_before = settings.persist > 0u ? old_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] : 0u;
+    const uint lights_before = cached_before & ~LEAF_INHERITED;
+    const uint first_before = old_leaves[cache];
     if (lane == 0u) {
+        samples = 0u;
         lights = 0u;
         too_full = 0u;
     }
     barrier();
+    find_lists(leaf);
+    barrier();
 
-    // Join the lists. Every leaf may fill an equal part of the buffer: it never runs out.
+    // Join the lists. Every leaf may fill an equal part of the buffer: it never runs out. Lights seen last frame come first:
+    // older ones are kept only where there is room for all.
     uint total = 0u;
     for (uint list = 0u; list < LISTS; ++list) total += list_length[list];
     const uint quota = header.vlc_capacity / (settings.bucket * (7u * old_node_count + 1u));
-    const uint table_buckets = min(table_bucket_count(total), power_of_two_below(max(quota, 1u)));
+    const uint most_buckets = min(table_most_buckets(), power_of_two_below(max(quota, 1u)));
+    const bool keep = 3u * (total + lights_before) <= 2u * most_buckets * settings.bucket;
+    const uint table_buckets = min(table_bucket_count(keep ? total + lights_before : total), most_buckets);
     table_clear(table_buckets);
     barrier();
     for (uint list = 0u; list < LISTS; ++list)
         for (uint i = lane; i < list_length[list]; i += LANES)
-            table_insert(table_buckets, light_samples[list_first[list] + i]);
+            table_insert(table_buckets, light_samples[list_first[list] + i], 0u);
+    if (keep && lights_before > 0u)
+        insert_old_cache(table_buckets, first_before, buckets_before, lights_before,
+                         ageing((cached_before & LEAF_INHERITED) != 0u));
     barrier();
 
     // Join buckets, halving their number while the lights fit.
@@ -81,6 +122,7 @@ void main() {
         cache_first = atomicAdd(work.vlc_used, buckets * settings.bucket);
         old_leaves[cache] = cache_first;
         old_leaves[cache + 1u] = buckets;
+        old_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] = lights;
         if (buckets > 0u) atomicAdd(work.cached_leaves, 1u);
         atomicAdd(work.cached_lights, lights);
         atomicAdd(work.cached_buckets, buckets);
@@ -95,7 +137,7 @@ void main() {
         const uint remainder = (bitfieldReverse(i / joined) >> 1u) >> (31 - findMSB(buckets));
         const uint bucket_first = cache_first + remainder * settings.bucket;
         const uint before = joined_size(i - part, i);
-        for (uint k = 0u; k < sizes[i]; ++k) vlc_lights[bucket_first + before + k] = id_of(table[i * settings.bucket + k]);
+        for (uint k = 0u; k < sizes[i]; ++k) vlc_lights[bucket_first + before + k] = entry_of(table[i * settings.bucket + k]);
         const uint end = before + sizes[i];
         if (part + 1u == joined && end < settings.bucket) vlc_lights[bucket_first + end] = NONE;
     }

@@ -23,8 +23,9 @@ struct BucketWalk {
 BucketWalk walk_bucket(LtcSurface prepared, uint first, uint size, uint sought, float u) {
     BucketWalk walk = BucketWalk(0.0, NONE, 0.0, 0.0);
     for (uint i = 0u; i < size; ++i) {
-        const uint light = vlc_lights[first + i];
-        if (light == NONE) break;
+        const uint entry = vlc_lights[first + i];
+        if (entry == NONE) break;
+        const uint light = entry & VLC_ID_MASK;
         const float importance = light_importance(prepared, light);
         if (!(importance > 0.0)) continue;
         walk.sum += importance;

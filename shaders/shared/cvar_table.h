@@ -83,6 +83,8 @@
     REAL(pt_vlc_hysteresis, Session, 0.75, 0.0, 1.0, \
         "vlc: buckets must be emptier than this share before their number falls") \
     INTEGER(pt_vlc_merge, Session, 1, 0, 1, "vlc: 1: caches take over their neighbours' lights") \
+    INTEGER(pt_vlc_persist, Session, 16, 0, 30, \
+        "vlc: frames that a light stays in a cache after it was seen there; 0: the paper's caches") \
     REAL(pt_explore_energy, Session, 1.0, 0.0, 1e6, \
         "vlc: weight of a light's power when looking for lights") \
     REAL(pt_explore_change, Session, 1.0, 0.0, 1e6, \

@@ -25,12 +25,20 @@ SHADER_CONST uint LEAF_VLC = 3u;         // 2 words: first light id of the cache
 SHADER_CONST uint LEAF_VISIBLE = 5u;     // 1 word: different lights among the leaf's visible samples
 SHADER_CONST uint LEAF_NEIGHBOURS = 6u;  // 6 words: leaf beyond the faces -x +x -y +y -z +z, or NONE
 SHADER_CONST uint LEAF_SOURCE = 12u;     // 1 word: corresponding leaf of the tree before
-SHADER_CONST uint LEAF_WORDS = 13u;      // per leaf altogether
+SHADER_CONST uint LEAF_CACHED = 13u;     // 1 word: lights in the cache, and LEAF_INHERITED if they are those of a larger leaf
+SHADER_CONST uint LEAF_WORDS = 14u;      // per leaf altogether
+
+SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
 
 /// A light sample: light id, and this bit if the light was seen.
 SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
-/// What is stored when there was no light to sample.
-SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x7fffffffu;
+/// What is stored when there was no light to sample; light ids are smaller.
+SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x07ffffffu;
+
+/// An entry of a cache: light id, and above it for how many frames no sample has seen the light.
+SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
+SHADER_CONST uint VLC_AGE_SHIFT = 27u;
+SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
 
 /// A leaf's samples beyond this many are passed over, evenly: as many as make a leaf split at 1920 x 1080 pixels. Also,
 /// llvmpipe silently ends all loops of an invocation after 65,535 rounds together: each of the VLC_LEAST_LANES puts at
@@ -51,6 +59,7 @@ struct GuidingSettings {
     uint bucket;       // most lights in a bucket
     uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
     uint merge;        // 1: caches take over the lights of their neighbours
+    uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
 #ifdef __cplusplus
     bool operator==(const GuidingSettings&) const = default;
 #endif

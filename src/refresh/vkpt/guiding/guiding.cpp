@@ -17,7 +17,7 @@ namespace vigil::vkpt {
 namespace {
 
 /// Bindings of the passes: shaders/guiding/passes.glsl.
-constexpr size_t pass_binding_count = 12;
+constexpr size_t pass_binding_count = 13;
 /// Words per node in the plan of a rebuild.
 constexpr uint64_t plan_words = 4;
 /// A work group per leaf must fit into one dimension of a dispatch, which Vulkan lets end at
@@ -83,6 +83,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size) {
     options.settings.bucket = bucket;
     const float share = cvars()->pt_vlc_hysteresis * static_cast<float>(bucket);
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
+    options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
     options.settings.merge = cvars()->pt_vlc_merge != 0 ? 1 : 0;
     return options;
 }
@@ -100,6 +101,8 @@ uint32_t Guiding::node_capacity(const Options& options) {
 bool Guiding::prepare(const Options& options) {
     const bool fits = header_.node_capacity == node_capacity(options) &&
                       options_.picture_size == options.picture_size;
+    // Caches of the frame before lie in buckets of their own size.
+    restart_ |= options_.settings.bucket != options.settings.bucket;
     options_ = options;
     if (fits) return false;
     device_.wait_idle();
@@ -121,10 +124,10 @@ void Guiding::make_buffers() {
         tree.nodes = make(1 + nodes, "octree nodes");
         tree.cells = make(2 * nodes, "octree cells");
         tree.leaves = make(shader::LEAF_WORDS * leaves, "octree leaves");
+        tree.caches = make(header_.vlc_capacity, "light caches");
     }
     plan_ = make(plan_words * nodes, "octree plan");
     samples_ = make(header_.sample_capacity, "light samples");
-    vlc_lights_ = make(header_.vlc_capacity, "light caches");
     lists_ = make(2 * leaves, "leaf lists");
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
@@ -136,11 +139,11 @@ void Guiding::bind(Tree& from, const Tree& to) {
     lookup.bind(BINDING_GUIDING_NODES, from.nodes);
     lookup.bind(BINDING_GUIDING_LEAVES, from.leaves);
     lookup.bind(BINDING_GUIDING_SAMPLES, samples_);
-    lookup.bind(BINDING_GUIDING_VLC, vlc_lights_);
+    lookup.bind(BINDING_GUIDING_VLC, from.caches);
     gpu::DescriptorSet& passes = from.passes;
     const std::array<const gpu::Buffer*, pass_binding_count> buffers{
-        &header_buffer_, &from.nodes, &from.cells, &from.leaves, &to.nodes, &to.cells,
-        &to.leaves,      &plan_,      &samples_,   &vlc_lights_, &lists_,   &work_};
+        &header_buffer_, &from.nodes, &from.cells, &from.leaves, &to.nodes, &to.cells,   &to.leaves,
+        &plan_,          &samples_,   &to.caches,  &lists_,      &work_,    &from.caches};
     for (uint32_t i = 0; i < buffers.size(); ++i)
         passes.bind(i, *buffers[i]);
 }
@@ -170,6 +173,7 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     fill(shader::LEAF_VISIBLE, 1, 0);
     fill(shader::LEAF_NEIGHBOURS, 6, shader::NONE);
     fill(shader::LEAF_SOURCE, 1, 0);
+    fill(shader::LEAF_CACHED, 1, 0);
     restart_ = false;
 }
 
@@ -227,9 +231,9 @@ shader::GuidingWork Guiding::statistics(size_t slot) const {
 uint64_t Guiding::memory_bytes() const {
     uint64_t bytes = 0;
     for (const Tree& tree : trees_)
-        bytes += tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes();
-    for (const gpu::Buffer* buffer :
-         {&header_buffer_, &plan_, &samples_, &vlc_lights_, &lists_, &work_})
+        bytes +=
+            tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes() + tree.caches.bytes();
+    for (const gpu::Buffer* buffer : {&header_buffer_, &plan_, &samples_, &lists_, &work_})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -57,12 +57,13 @@ public:
         gpu::Buffer nodes;  // number of inner nodes, then the nodes (octree_node)
         gpu::Buffer cells;  // their cubes (octree_pack_cell), 2 words each
         gpu::Buffer leaves; // LEAF_WORDS arrays of 8 * node_capacity leaves
+        gpu::Buffer caches; // light ids of the leaves' caches, with their ages
         gpu::DescriptorSet lookup;
         gpu::DescriptorSet passes; // of a record() that starts from this tree
     };
     const Tree& tree() const { return trees_[current_]; }
     const gpu::Buffer& samples() const { return samples_; }
-    const gpu::Buffer& vlc_lights() const { return vlc_lights_; }
+    const gpu::Buffer& vlc_lights() const { return tree().caches; }
     const gpu::Buffer& work() const { return work_; }
     const shader::GuidingHeader& header() const { return header_; }
 
@@ -75,7 +76,7 @@ private:
     gpu::Buffer unused_;
     std::array<Tree, 2> trees_;
     size_t current_ = 0;
-    gpu::Buffer header_buffer_, plan_, samples_, vlc_lights_, lists_, work_;
+    gpu::Buffer header_buffer_, plan_, samples_, lists_, work_;
     std::vector<gpu::Buffer> statistics_;
     gpu::Handle<VkPipelineLayout> pass_layout_;
     gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, renumber_, populate_;

@@ -55,9 +55,9 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
     report.buckets.resize(leaf_word(shader::LEAF_VLC, 2, leaf, 1));
     for (size_t bucket = 0; bucket < report.buckets.size(); ++bucket) {
         for (uint32_t i = 0; i < bucket_size; ++i) {
-            const uint32_t light = vlc_lights_[first + bucket * bucket_size + i];
-            if (light == shader::NONE) break;
-            report.buckets[bucket].push_back(light);
+            const uint32_t entry = vlc_lights_[first + bucket * bucket_size + i];
+            if (entry == shader::NONE) break;
+            report.buckets[bucket].push_back(entry & shader::VLC_ID_MASK);
         }
     }
     return report;
