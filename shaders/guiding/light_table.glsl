@@ -50,20 +50,6 @@ bool same_light(uint a, uint b) { return ((a ^ b) & ~KEY_AGE_MASK) == 0u; }
 /// First bits of a key: the bucket that it belongs to if there are `buckets`.
 uint bucket_of(uint key, uint buckets) { return (key >> 1u) >> (31 - findMSB(buckets)); }
 
-/// The first of a bucket's slots whose key is not smaller. Keys in a bucket ascend at all times, and a slot's key never
-/// grows: slots that this passes over stay smaller while others insert. Passing over them one by one takes long where
-/// buckets are large, and llvmpipe ends all loops of an invocation silently after 65,535 rounds together.
-uint table_search(uint first, uint key) {
-    uint slot = first;
-    for (uint left = settings.bucket; left > 0u;) {
-        const uint part = left / 2u;
-        const bool smaller = table[slot + part] < key;
-        slot = smaller ? slot + part + 1u : slot;
-        left = smaller ? left - part - 1u : part;
-    }
-    return slot;
-}
-
 /// Adds a light; one that is there already gets the lower of both ages. Each slot keeps the smallest key that reaches it and
 /// hands on the others: after all insertions slot k holds the k-th smallest key of its bucket.
 void table_insert(uint buckets, uint id, uint age) {
@@ -71,7 +57,7 @@ void table_insert(uint buckets, uint id, uint age) {
     const uint bucket = bucket_of(key, buckets);
     const uint first = bucket * settings.bucket;
     const uint end = first + settings.bucket;
-    for (uint slot = table_search(first, bitfieldReverse(id)); slot < end; ++slot) {
+    for (uint slot = first; slot < end; ++slot) {
         uint seen = table[slot];
         if (seen <= key && same_light(seen, key)) return;
         if (seen > key) {

@@ -4,7 +4,7 @@
 // through one bucket serves both: it adds up the importances, chooses, and finds the explored light's own.
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.
 #include "guiding/octree.glsl"
-#include "light/alias.glsl"
+#include "light/exploration.glsl"
 #include "light/importance.glsl"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
@@ -49,9 +49,9 @@ float explore_fraction(BucketWalk walk, uint buckets) {
 }
 
 /// Probability of a light of the walked bucket in the mixture of both techniques.
-float mixture_probability(BucketWalk walk, uint buckets, uint light, float importance) {
+float mixture_probability(BucketWalk walk, uint buckets, Exploration exploration, uint light, float importance) {
     const float explore = explore_fraction(walk, buckets);
-    float probability = explore * alias_probability(light);
+    float probability = explore * exploration_probability(exploration, light);
     if (importance > 0.0) probability += (1.0 - explore) * importance / (walk.sum * float(buckets));
     return probability;
 }
@@ -62,7 +62,8 @@ LightChoice choose_light(Surface surface, inout Random random) {
     const uint first = leaves[cache];
     const uint buckets = leaves[cache + 1u];
     const vec3 u = random_next3(random);
-    const uint explored = alias_light(random_next_bits(random));
+    const Exploration exploration = prepare_exploration(surface);
+    const uint explored = explore_light(exploration, random_next(random), random_next_bits(random));
 
     bool explore = u.x < frame.cvars.pt_vlc_explore;
     // An explored light can only be in one bucket; otherwise any will do.
@@ -79,7 +80,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     choice.explored = explore;
     choice.memory = found.samples;
     if (choice.light == NONE) return choice;
-    choice.probability = mixture_probability(walk, buckets, choice.light,
+    choice.probability = mixture_probability(walk, buckets, exploration, choice.light,
                                              explore ? walk.sought_importance : walk.chosen_importance);
     // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it.
     if (!(choice.probability > 0.0)) choice.light = NONE;
@@ -98,5 +99,5 @@ float light_probability(Surface surface, uint light) {
         const uint size = uint(frame.cvars.pt_vlc_bucket);
         walk = walk_bucket(prepare_importance(surface), leaves[cache] + (light & (buckets - 1u)) * size, size, light, 0.0);
     }
-    return mixture_probability(walk, buckets, light, walk.sought_importance);
+    return mixture_probability(walk, buckets, prepare_exploration(surface), light, walk.sought_importance);
 }

@@ -85,6 +85,8 @@
     INTEGER(pt_vlc_merge, Session, 1, 0, 1, "vlc: 1: caches take over their neighbours' lights") \
     INTEGER(pt_vlc_persist, Session, 16, 0, 30, \
         "vlc: frames that a light stays in a cache after it was seen there; 0: the paper's caches") \
+    GPU_REAL(pt_explore_local, Session, 0.5, 0.0, 1.0, \
+        "vlc: part of the search that looks among the lights of the surface's PVS cluster; 0: as the paper") \
     REAL(pt_explore_energy, Session, 1.0, 0.0, 1e6, \
         "vlc: weight of a light's power when looking for lights") \
     REAL(pt_explore_change, Session, 1.0, 0.0, 1e6, \
