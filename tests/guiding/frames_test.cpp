@@ -110,5 +110,33 @@ TEST_F(GuidingFrames, SettingsChangeBetweenFrames) {
     }
 }
 
+TEST_F(GuidingFrames, FramesInFlight) {
+    start(settings_with(32), 128);
+    const auto here = [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); };
+    for (int i = 0; i < 8; ++i) {
+        frames(3, 8000, here);
+        if (HasFatalFailure()) return;
+        for (int s = 0; s < 3000; ++s)
+            place(here(dice_), random_light_sample(dice_, {}, 100, 40));
+        two_frames_in_flight();
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(state_.inner.size(), 10u);
+}
+
+TEST_F(GuidingFrames, RestartForgetsEverything) {
+    start(settings_with(32), 128);
+    frames(8, 6000, [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); });
+    if (HasFatalFailure()) return;
+    ASSERT_GT(state_.inner.size(), 50u);
+    ASSERT_GT(statistics_.cached_leaves, 0u);
+    start(settings_with(32), 128); // expects eight leaves without caches
+    // From the other one of both trees, too.
+    frames(1, 6000, [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); });
+    start(settings_with(32), 128);
+    start(settings_with(32), 64); // other buffers
+    frames(3, 2000, [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); });
+}
+
 } // namespace
 } // namespace vigil::test

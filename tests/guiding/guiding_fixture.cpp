@@ -5,6 +5,7 @@
 #include "refresh/vkpt/gpu/commands.h"
 #include "shared/octree.h"
 
+#include <array>
 #include <memory>
 
 namespace vigil::test {
@@ -12,7 +13,10 @@ namespace {
 
 /// Between SetUpTestSuite and TearDownTestSuite.
 struct Shared {
-    Shared() : device(options(), nullptr), guiding(device, nullptr, 1), commands(device) {}
+    Shared()
+        : device(options(), nullptr),
+          guiding(device, nullptr, 2), slots{gpu::FrameCommands(device),
+                                             gpu::FrameCommands(device)} {}
     static gpu::DeviceOptions options() {
         gpu::DeviceOptions options;
         options.validation = 2;
@@ -20,7 +24,7 @@ struct Shared {
     }
     gpu::Device device;
     vkpt::Guiding guiding;
-    gpu::FrameCommands commands;
+    std::array<gpu::FrameCommands, 2> slots; // frames in flight
 };
 std::unique_ptr<Shared> shared;
 
@@ -34,6 +38,14 @@ TreeWords download(const vkpt::Guiding::Tree& tree, uint32_t node_capacity) {
     words.cells = download(tree.cells, words.cells.size());
     words.leaves = download(tree.leaves, words.leaves.size());
     return words;
+}
+
+/// Submits the passes of one frame.
+void record_passes(size_t slot) {
+    gpu::FrameCommands& commands = shared->slots[slot];
+    commands.begin();
+    shared->guiding.record(commands, slot);
+    commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
 }
 
 } // namespace
@@ -58,6 +70,10 @@ void GuidingTest::TearDown() {
 
 vkpt::Guiding& GuidingTest::guiding() {
     return shared->guiding;
+}
+
+const gpu::Device& GuidingTest::device() {
+    return shared->device;
 }
 
 void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size) {
@@ -97,33 +113,25 @@ void GuidingTest::random_frame(Dice& dice, const InnerNodes& inner, const Random
 }
 
 void GuidingTest::upload() {
-    const gpu::Device& device = shared->device;
     const vkpt::Guiding::Tree& tree = guiding().tree();
     const TreeWords words = encode(state_, guiding().header().node_capacity, garbage_);
-    gpu::upload_now(device, tree.nodes, 0, gpu::bytes_of(words.nodes));
-    gpu::upload_now(device, tree.cells, 0, gpu::bytes_of(words.cells));
-    gpu::upload_now(device, tree.leaves, 0, gpu::bytes_of(words.leaves));
-    gpu::upload_now(device, guiding().samples(), 0, gpu::bytes_of(state_.samples));
-    gpu::run_now(device, [&](VkCommandBuffer commands) {
+    gpu::upload_now(device(), tree.nodes, 0, gpu::bytes_of(words.nodes));
+    gpu::upload_now(device(), tree.cells, 0, gpu::bytes_of(words.cells));
+    gpu::upload_now(device(), tree.leaves, 0, gpu::bytes_of(words.leaves));
+    gpu::upload_now(device(), guiding().samples(), 0, gpu::bytes_of(state_.samples));
+    gpu::run_now(device(), [&](VkCommandBuffer commands) {
         vkCmdFillBuffer(commands, guiding().vlc_lights().handle(), 0, VK_WHOLE_SIZE, 0x12345678u);
     });
 }
 
 void GuidingTest::run_passes() {
-    gpu::FrameCommands& commands = shared->commands;
-    commands.begin();
-    guiding().record(commands, 0);
-    commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
-    commands.finish();
+    record_passes(0);
+    shared->slots[0].finish();
     statistics_ = guiding().statistics(0);
 }
 
-void GuidingTest::frame() {
-    ++frame_;
-    SCOPED_TRACE(testing::Message() << "frame " << frame_);
+void GuidingTest::ask_oracle() {
     const shader::GuidingHeader& header = guiding().header();
-
-    // What the oracle expects.
     ByPath<uint32_t> counts;
     ByPath<LeafSamples> samples;
     for (const auto& [path, leaf] : state_.leaves) {
@@ -137,11 +145,10 @@ void GuidingTest::frame() {
     caches_ = make_caches(
         state_.inner, samples,
         {settings_.bucket, settings_.small_bucket, settings_.merge != 0, header.vlc_capacity});
+}
 
-    // What the passes make of it.
-    upload();
-    const vkpt::Guiding::Tree& old_tree = guiding().tree();
-    run_passes();
+void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
+    const shader::GuidingHeader& header = guiding().header();
     ASSERT_NE(&guiding().tree(), &old_tree);
     const TreeWords seen_old = download(old_tree, header.node_capacity);
     const TreeWords seen = download(guiding().tree(), header.node_capacity);
@@ -155,6 +162,37 @@ void GuidingTest::frame() {
           compare_statistics(state_, tree_, caches_, statistics_)})
         ASSERT_TRUE(found.empty()) << found.text();
     state_ = state_after(tree_.inner, seen, std::move(state_.samples));
+}
+
+void GuidingTest::frame() {
+    ++frame_;
+    SCOPED_TRACE(testing::Message() << "frame " << frame_);
+    ask_oracle();
+    const vkpt::Guiding::Tree& old_tree = guiding().tree();
+    upload();
+    run_passes();
+    compare_with(old_tree);
+}
+
+void GuidingTest::two_frames_in_flight() {
+    frame_ += 2;
+    SCOPED_TRACE(testing::Message() << "frames " << frame_ - 1 << " and " << frame_);
+    ask_oracle();
+    upload();
+    record_passes(0);
+    const vkpt::Guiding::Tree& between = guiding().tree();
+    record_passes(1);
+    shared->slots[0].finish();
+    shared->slots[1].finish();
+
+    // The first frame's caches are gone, its tree and its statistics are not.
+    const Disagreements first = compare_statistics(state_, tree_, caches_, guiding().statistics(0));
+    ASSERT_TRUE(first.empty()) << first.text();
+    const TreeWords seen = download(between, guiding().header().node_capacity);
+    state_ = state_after(tree_.inner, seen, std::move(state_.samples));
+    ask_oracle();
+    statistics_ = guiding().statistics(1);
+    compare_with(between);
 }
 
 shader::GuidingSettings settings_with(uint32_t bucket) {

@@ -19,6 +19,7 @@ protected:
     void TearDown() override;
 
     static vkpt::Guiding& guiding();
+    static const gpu::Device& device();
 
     /// Makes room for a picture this wide and high; starts with the root divided once and runs a
     /// frame on it.
@@ -31,9 +32,13 @@ protected:
     /// Random samples in every leaf of a tree, then a frame.
     void random_frame(Dice& dice, const InnerNodes& inner, const RandomLights& lights);
 
-    /// Runs the passes on the tree and the samples that are there, compares, and goes on with what
-    /// they made.
+    /// Writes state_ to the GPU's buffers.
+    void upload();
+    /// Uploads, runs the passes, compares what they made with the oracle, and makes that the next
+    /// frame's state_.
     void frame();
+    /// The same, and before the GPU is done a second frame that gets no samples.
+    void two_frames_in_flight();
 
     TreeState state_;                  // what the next frame starts from
     AdaptedOctree tree_;               // made in the last frame
@@ -42,8 +47,10 @@ protected:
     shader::GuidingSettings settings_{};
 
 private:
-    void upload();
+    /// What the oracle makes of state_: tree_ and caches_.
+    void ask_oracle();
     void run_passes();
+    void compare_with(const vkpt::Guiding::Tree& old_tree);
 
     Dice garbage_{99};
     int frame_ = 0;
