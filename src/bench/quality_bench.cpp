@@ -105,8 +105,9 @@ void add_measurement(RowResult& row, const Measurement& measured) {
 }
 
 void begin_view(RowResult& row) {
-    for (Strata* strata : {&row.mse, &row.trimmed_mse, &row.relative_mse, &row.mean_ratio,
-                           &row.unlit, &row.explored, &row.prepare_ms, &row.path_ms})
+    for (Strata* strata :
+         {&row.mse, &row.trimmed_mse, &row.trimmed_variance, &row.relative_mse, &row.mean_ratio,
+          &row.unlit, &row.explored, &row.prepare_ms, &row.path_ms})
         strata->emplace_back();
     row.pass_ms.resize(std::size(vkpt::pass_names));
     for (Strata& strata : row.pass_ms)
@@ -144,6 +145,7 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
                 const PictureError error = picture_error(picture, reference);
                 result.rows[row].mse.back().push_back(error.mse);
                 result.rows[row].trimmed_mse.back().push_back(error.trimmed_mse);
+                result.rows[row].trimmed_variance.back().push_back(error.trimmed_variance);
                 result.rows[row].relative_mse.back().push_back(error.relative_mse);
                 result.rows[row].mean_ratio.back().push_back(error.mean_ratio);
             }

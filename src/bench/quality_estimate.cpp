@@ -163,14 +163,15 @@ PictureError picture_error(std::span<const float> picture, const Reference& refe
     const double floor = relative_floor(reference);
     const std::size_t pixels = picture.size() / 3;
     PictureError error;
-    std::vector<double> distances(pixels), squares(pixels);
+    std::vector<double> distances(pixels), variances(pixels);
     for (std::size_t i = 0; i < picture.size(); ++i) {
         const double expected = reference.mean(i);
         const double difference = static_cast<double>(picture[i]) - expected;
         // E[(x - r)^2] = E[(x - truth)^2] + var(r): the reference's part is known, and taken off.
-        const double square = difference * difference - reference.variance(i);
+        const double variance = reference.variance(i);
+        const double square = difference * difference - variance;
         distances[i / 3] += difference * difference;
-        squares[i / 3] += square;
+        variances[i / 3] += variance;
         error.mse += square;
         error.relative_mse += square / (expected * expected + floor);
         error.mean_ratio += static_cast<double>(picture[i]);
@@ -189,10 +190,12 @@ PictureError picture_error(std::span<const float> picture, const Reference& refe
     std::size_t kept = 0;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         if (distances[pixel] > *largest) continue;
-        error.trimmed_mse += squares[pixel];
+        error.trimmed_mse += distances[pixel] - variances[pixel];
+        error.trimmed_variance += variances[pixel];
         ++kept;
     }
     error.trimmed_mse /= 3.0 * static_cast<double>(kept);
+    error.trimmed_variance /= 3.0 * static_cast<double>(kept);
     return error;
 }
 

@@ -51,10 +51,11 @@ double median(std::vector<double> values);
 inline constexpr double trimmed_share = 0.001;
 
 struct PictureError {
-    double mse = 0.0;          // mean over pixels and channels of (x - r)^2 - var(r)
-    double trimmed_mse = 0.0;  // mse without the trimmed_share of pixels whose error is largest
-    double relative_mse = 0.0; // the same with each term over r^2 + relative_floor
-    double mean_ratio = 0.0;   // mean(x) / mean(r): shows energy that is lost or made
+    double mse = 0.0;              // mean over pixels and channels of (x - r)^2 - var(r)
+    double trimmed_mse = 0.0;      // mse without the trimmed_share of pixels whose error is largest
+    double trimmed_variance = 0.0; // the reference's mean variance in the pixels that are left
+    double relative_mse = 0.0;     // the same with each term over r^2 + relative_floor
+    double mean_ratio = 0.0;       // mean(x) / mean(r): shows energy that is lost or made
 };
 
 /// Error of `picture` (RGB, as many values as the reference has; at least two batches), without

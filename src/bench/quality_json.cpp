@@ -86,6 +86,7 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         };
         add_error("mse", &RowResult::mse);
         add_error("trimmed_mse", &RowResult::trimmed_mse);
+        add("trimmed_variance", &RowResult::trimmed_variance);
         add_error("relative_mse", &RowResult::relative_mse);
         add("mean_ratio", &RowResult::mean_ratio);
         add("unlit", &RowResult::unlit);

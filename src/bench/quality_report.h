@@ -18,6 +18,7 @@ namespace vigil::bench {
 struct RowResult {
     QualityRow row;
     Strata mse, trimmed_mse, relative_mse, mean_ratio;
+    Strata trimmed_variance;     // of the reference, in the pixels that trimmed_mse is about
     Strata unlit, explored;      // shares of primary hits
     std::vector<Strata> pass_ms; // by pass
     Strata prepare_ms, path_ms;  // sums: passes of guiding; primary, direct and indirect

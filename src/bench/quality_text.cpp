@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace vigil::bench {
 
@@ -62,7 +63,8 @@ std::string views_text(const std::vector<ViewResult>& views) {
 
 /// One table of errors: values, ratios to the baseline, and the reference's share.
 std::string error_table(const QualityOptions& options, const LevelResult& result,
-                        Strata RowResult::*member, const char* name, double reference_variance) {
+                        Strata RowResult::*member, const char* name,
+                        const std::function<double(const RowResult&)>& reference_variance) {
     const RowResult& baseline = baseline_of(options, result);
     std::string text = fmt::format("{:<14}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n",
                                    "  row", name, "95%", "/ " + options.baseline, "95% these views",
@@ -71,10 +73,10 @@ std::string error_table(const QualityOptions& options, const LevelResult& result
         const Interval value = mean_interval(row.*member);
         const Interval ratio = ratio_interval(row.*member, baseline.*member);
         const Interval over = ratio_over_views(row.*member, baseline.*member);
-        text +=
-            fmt::format("  {:<12}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n", row.row.label,
-                        number(value.value), range(value), number(ratio.value), range(ratio),
-                        number(over.value), range(over), percent(reference_variance / value.value));
+        text += fmt::format("  {:<12}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n",
+                            row.row.label, number(value.value), range(value), number(ratio.value),
+                            range(ratio), number(over.value), range(over),
+                            percent(reference_variance(row) / value.value));
     }
     return text;
 }
@@ -173,14 +175,18 @@ std::string heading(const QualityOptions& options, const std::string& level,
 std::string quality_text(const QualityOptions& options, const LevelResult& result) {
     std::string text = heading(options, result.level, result.views);
     text += views_text(result.views) + '\n';
-    text += error_table(options, result, &RowResult::mse, "MSE",
-                        mean_over_views(result.views, &ViewResult::variance));
+    text += error_table(options, result, &RowResult::mse, "MSE", [&](const RowResult&) {
+        return mean_over_views(result.views, &ViewResult::variance);
+    });
     text += '\n';
-    text += error_table(options, result, &RowResult::trimmed_mse, "trimmed",
-                        mean_over_views(result.views, &ViewResult::variance));
+    text +=
+        error_table(options, result, &RowResult::trimmed_mse, "trimmed",
+                    [](const RowResult& row) { return mean_interval(row.trimmed_variance).value; });
     text += '\n';
-    text += error_table(options, result, &RowResult::relative_mse, "rel. MSE",
-                        mean_over_views(result.views, &ViewResult::relative_variance));
+    text +=
+        error_table(options, result, &RowResult::relative_mse, "rel. MSE", [&](const RowResult&) {
+            return mean_over_views(result.views, &ViewResult::relative_variance);
+        });
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
             time_table(options, result);
     if (result.nonfinite > 0)

@@ -210,6 +210,7 @@ TEST(PictureErrors, FireflyIsTrimmed) {
     const PictureError error = picture_error(picture, reference);
     EXPECT_GT(error.mse, 100.0);
     EXPECT_DOUBLE_EQ(error.trimmed_mse, 0.25);
+    EXPECT_EQ(error.trimmed_variance, 0.0);
     // Equal errors are no fireflies.
     EXPECT_DOUBLE_EQ(picture_error(std::vector<float>(3 * pixels, 1.0f), reference).trimmed_mse,
                      0.0);
