@@ -101,10 +101,10 @@ TEST_F(GuidingFrames, SettingsChangeBetweenFrames) {
     start(settings_with(32), 128);
     const auto here = [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); };
     frames(8, 6000, here);
-    for (const uint32_t bucket : {1u, 64u, 5u}) {
-        settings_.bucket = bucket;
-        settings_.small_bucket = std::max(1u, bucket / 2);
+    for (const uint32_t small_bucket : {1u, 32u, 24u}) {
+        settings_.small_bucket = small_bucket;
         settings_.merge = 1 - settings_.merge;
+        settings_.split += 7;
         ASSERT_FALSE(guiding().prepare({glm::uvec2(128), settings_}));
         frames(2, 6000, here);
     }

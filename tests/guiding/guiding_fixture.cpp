@@ -196,7 +196,7 @@ void GuidingTest::two_frames_in_flight() {
 }
 
 shader::GuidingSettings settings_with(uint32_t bucket) {
-    return {40, 20, bucket, bucket * 3 / 4, 1};
+    return {40, 20, bucket, bucket * 3 / 4, 1, 0};
 }
 
 } // namespace vigil::test

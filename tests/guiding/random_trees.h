@@ -38,7 +38,7 @@ struct RandomLights {
     uint32_t fewest = 1; // different lights in a leaf
     uint32_t most = 40;
     uint32_t stride = 1; // between ids
-    uint32_t largest = 0x7ffffffe;
+    uint32_t largest = shader::VLC_ID_MASK - 1;
     double visible = 0.5; // share of visible samples
 };
 
