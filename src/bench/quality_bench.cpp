@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
+#include <limits>
 
 namespace vigil::bench {
 
@@ -40,10 +40,23 @@ private:
     int sink_;
 };
 
-/// The reference of a pose, from the cache and with more batches until `enough` or the most paths.
+/// The smallest mean error of a row's pictures.
+double smallest_mse(const Pictures& pictures, const Reference& reference) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto& row : pictures) {
+        double sum = 0.0;
+        for (const std::vector<float>& picture : row)
+            sum += picture_error(picture, reference).mse;
+        smallest = std::min(smallest, sum / static_cast<double>(row.size()));
+    }
+    return smallest;
+}
+
+/// The reference of a place, from the cache and with more batches until it is good enough for the
+/// pictures, or has the most paths.
 ViewResult make_reference(const QualityOptions& options, QualityRenderer& renderer,
                           const Place& place, Progress& progress, Reference& reference,
-                          const std::function<bool(const Reference&)>& enough) {
+                          const Pictures& pictures) {
     const Pose& pose = place.measured();
     const std::string key = renderer.reference_key(pose, options.reference);
     const std::filesystem::path path = output_path(
@@ -51,7 +64,11 @@ ViewResult make_reference(const QualityOptions& options, QualityRenderer& render
     if (!options.fresh) reference.load(path, key);
     const int most = std::max(least_batches, options.reference_paths / reference_batch_paths);
     const int before = reference.batches();
-    const auto finished = [&] { return reference.batches() >= least_batches && enough(reference); };
+    const auto finished = [&] {
+        return reference.batches() >= least_batches &&
+               reference.mean_variance() <=
+                   options.reference_share * smallest_mse(pictures, reference);
+    };
     while (!finished() && reference.batches() < most) {
         if (reference.batches() == before) renderer.begin_reference(pose, options.reference);
         reference.add(renderer.reference_batch(pose, reference.batches()));
@@ -68,19 +85,8 @@ ViewResult make_reference(const QualityOptions& options, QualityRenderer& render
             reference.picture_mean(),
             reference.picture_mean_error(),
             reference.mean_variance(),
-            relative_variance(reference)};
-}
-
-/// The smallest mean error of a row's pictures.
-double smallest_mse(const Pictures& pictures, const Reference& reference) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const auto& row : pictures) {
-        double sum = 0.0;
-        for (const std::vector<float>& picture : row)
-            sum += picture_error(picture, reference).mse;
-        smallest = std::min(smallest, sum / static_cast<double>(row.size()));
-    }
-    return smallest;
+            relative_variance(reference),
+            smallest_mse(pictures, reference)};
 }
 
 double sum_of_passes(const Measurement& measured, vkpt::Pass first, vkpt::Pass last) {
@@ -135,11 +141,8 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
             }
         }
         Reference reference(pictures[0][0].size());
-        result.views.push_back(make_reference(
-            options, renderer, place, progress, reference, [&](const Reference& present) {
-                return present.mean_variance() <=
-                       options.reference_share * smallest_mse(pictures, present);
-            }));
+        result.views.push_back(
+            make_reference(options, renderer, place, progress, reference, pictures));
         for (std::size_t row = 0; row < pictures.size(); ++row) {
             for (const std::vector<float>& picture : pictures[row]) {
                 const PictureError error = picture_error(picture, reference);
@@ -178,11 +181,7 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
         for (std::size_t run = 0; run < pictures.size(); ++run)
             last[run / options.seeds].push_back(pictures[run].back());
         Reference reference(last[0][0].size());
-        result.views.push_back(make_reference(
-            options, renderer, place, progress, reference, [&](const Reference& present) {
-                return present.mean_variance() <=
-                       options.reference_share * smallest_mse(last, present);
-            }));
+        result.views.push_back(make_reference(options, renderer, place, progress, reference, last));
         for (std::size_t row = 0; row < options.rows.size(); ++row) {
             for (int frame = 0; frame < options.curve_frames; ++frame) {
                 std::vector<double>& mse = result.rows[row].mse[frame].emplace_back();

@@ -53,7 +53,8 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
                           {"mean", view.mean},
                           {"mean_error", view.mean_error},
                           {"variance", view.variance},
-                          {"relative_variance", view.relative_variance}}}});
+                          {"relative_variance", view.relative_variance},
+                          {"smallest_mse", view.smallest_mse}}}});
     }
     return list;
 }

@@ -34,6 +34,7 @@ struct ViewResult {
     double mean_error = 0.0;
     double variance = 0.0; // mean over pixels and channels; taken off every MSE
     double relative_variance = 0.0;
+    double smallest_mse = 0.0; // of the rows here
 };
 
 struct LevelResult {

@@ -51,13 +51,21 @@ double reference_mean_error(const std::vector<ViewResult>& views) {
     return std::sqrt(sum) / static_cast<double>(views.size());
 }
 
+/// What is wrong with a view's reference, if anything.
+std::string_view reference_warning(const ViewResult& view) {
+    // Rare paths, such as those that meet the sun: batches met them, the frames did not.
+    if (!(view.variance < view.smallest_mse))
+        return "  noisier than the frames: what decides the MSE is in none of them";
+    return view.reached ? "" : "  more than wanted: see --reference-paths";
+}
+
 std::string views_text(const std::vector<ViewResult>& views) {
-    std::string text =
-        fmt::format("{:<22}{:>8}{:>14}{:>14}\n", "  view", "paths", "mean", "variance");
+    std::string text = fmt::format("{:<22}{:>8}{:>14}{:>14}{:>14}\n", "  view", "paths", "mean",
+                                   "variance", "/ least MSE");
     for (const ViewResult& view : views)
-        text += fmt::format("  {:<20}{:>8}{:>14}{:>14}{}\n", view.place.name, view.paths,
+        text += fmt::format("  {:<20}{:>8}{:>14}{:>14}{:>14}{}\n", view.place.name, view.paths,
                             number(view.mean), number(view.variance),
-                            view.reached ? "" : "  more than wanted: see --reference-paths");
+                            percent(view.variance / view.smallest_mse), reference_warning(view));
     return text;
 }
 
