@@ -105,13 +105,14 @@ TEST_F(GuidingFrames, SettingsChangeBetweenFrames) {
         settings_.small_bucket = small_bucket;
         settings_.merge = 1 - settings_.merge;
         settings_.split += 7;
+        settings_.persist = small_bucket / 4;
         ASSERT_FALSE(guiding().prepare({glm::uvec2(128), settings_}));
         frames(2, 6000, here);
     }
 }
 
 TEST_F(GuidingFrames, FramesInFlight) {
-    start(settings_with(32), 128);
+    start(settings_with(32, 3), 128);
     const auto here = [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); };
     for (int i = 0; i < 8; ++i) {
         frames(3, 8000, here);
@@ -122,6 +123,27 @@ TEST_F(GuidingFrames, FramesInFlight) {
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(state_.inner.size(), 10u);
+}
+
+TEST_F(GuidingFrames, LightsStayWhileTheTreeChanges) {
+    start(settings_with(16, 4), 128);
+    for (const float x : {0.0f, 50.0f, 2000.0f}) {
+        frames(8, 3000, [&](Dice& dice) { return floor_at(dice, {x, 0.0f, 0.0f}); });
+        if (HasFatalFailure()) return;
+        uint32_t oldest = 0;
+        for (const auto& [path, cache] : caches_.by_leaf)
+            for (const auto& [light, age] : cache.ages)
+                oldest = std::max(oldest, age);
+        EXPECT_EQ(oldest, 4u);
+    }
+}
+
+TEST_F(GuidingFrames, AnotherBucketSizeStartsAnew) {
+    start(settings_with(16, 4), 128);
+    frames(6, 6000, [](Dice& dice) { return floor_at(dice, glm::vec3(0.0f)); });
+    if (HasFatalFailure()) return;
+    ASSERT_GT(state_.inner.size(), 9u);
+    start_anew(settings_with(24, 4));
 }
 
 TEST_F(GuidingFrames, RestartForgetsEverything) {

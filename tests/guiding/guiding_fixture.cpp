@@ -77,9 +77,14 @@ const gpu::Device& GuidingTest::device() {
 }
 
 void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size) {
-    settings_ = settings;
-    guiding().prepare({glm::uvec2(picture_size), settings});
+    picture_size_ = picture_size;
     guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f);
+    start_anew(settings);
+}
+
+void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
+    settings_ = settings;
+    guiding().prepare({glm::uvec2(picture_size_), settings});
 
     // The first frame starts from a tree that exists nowhere yet.
     frame_ = 0;
@@ -87,9 +92,15 @@ void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t pictur
     const TreeWords seen = download(guiding().tree(), guiding().header().node_capacity);
     ASSERT_EQ(seen.nodes[0], 1u);
     ASSERT_EQ(seen.nodes[1] & 0xffu, 0xffu);
-    state_ = state_after({""}, seen, std::vector<uint32_t>(guiding().header().sample_capacity));
-    for (const auto& [path, leaf] : state_.leaves) {
-        EXPECT_EQ(leaf.buckets, 0u) << path;
+    AdaptedOctree root;
+    root.inner = {""};
+    for (const Path& leaf : leaves_of(root.inner))
+        root.source[leaf] = leaf;
+    state_ = state_after(root, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
+                         std::vector<uint32_t>(guiding().header().vlc_capacity));
+    for (uint32_t leaf = 0; leaf < 8; ++leaf) {
+        EXPECT_EQ(seen.at(shader::LEAF_VLC, 2, leaf, 1), 0u) << "leaf " << leaf;
+        EXPECT_EQ(seen.at(shader::LEAF_CACHED, 1, leaf), 0u) << "leaf " << leaf;
     }
     const Disagreements storage = compare_storage({""}, seen, guiding().header().sample_capacity);
     EXPECT_TRUE(storage.empty()) << storage.text();
@@ -108,7 +119,7 @@ void GuidingTest::place(glm::vec3 position, uint32_t light_sample) {
 }
 
 void GuidingTest::random_frame(Dice& dice, const InnerNodes& inner, const RandomLights& lights) {
-    state_ = random_samples(dice, inner, lights, settings_, guiding().header().sample_capacity);
+    state_ = random_samples(dice, inner, lights, settings_, guiding().header());
     frame();
 }
 
@@ -119,9 +130,7 @@ void GuidingTest::upload() {
     gpu::upload_now(device(), tree.cells, 0, gpu::bytes_of(words.cells));
     gpu::upload_now(device(), tree.leaves, 0, gpu::bytes_of(words.leaves));
     gpu::upload_now(device(), guiding().samples(), 0, gpu::bytes_of(state_.samples));
-    gpu::run_now(device(), [&](VkCommandBuffer commands) {
-        vkCmdFillBuffer(commands, guiding().vlc_lights().handle(), 0, VK_WHOLE_SIZE, 0x12345678u);
-    });
+    gpu::upload_now(device(), tree.caches, 0, gpu::bytes_of(state_.caches));
 }
 
 void GuidingTest::run_passes() {
@@ -137,14 +146,14 @@ void GuidingTest::ask_oracle() {
     for (const auto& [path, leaf] : state_.leaves) {
         counts[path] = leaf.count;
         samples[path] = {std::span(state_.samples).subspan(leaf.first_sample, leaf.kept()),
-                         leaf.buckets};
+                         leaf.count, leaf.buckets, leaf.cached, leaf.inherited};
     }
     tree_ = adapt(
         state_.inner, counts,
         {settings_.split, settings_.collapse, header.node_capacity, shader::OCTREE_MAX_DEPTH});
-    caches_ = make_caches(
-        state_.inner, samples,
-        {settings_.bucket, settings_.small_bucket, settings_.merge != 0, header.vlc_capacity});
+    caches_ = make_caches(state_.inner, samples,
+                          {settings_.bucket, settings_.small_bucket, settings_.merge != 0,
+                           header.vlc_capacity, settings_.persist});
 }
 
 void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
@@ -158,10 +167,10 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
          {compare_tree(tree_, state_.inner, seen),
           compare_storage(tree_.inner, seen, header.sample_capacity),
           compare_caches(caches_, seen_old, state_.inner, lights, settings_.bucket),
-          compare_handed_on(tree_, seen, state_.inner, seen_old),
+          compare_handed_on(tree_, caches_, seen, state_.inner, seen_old),
           compare_statistics(state_, tree_, caches_, statistics_)})
         ASSERT_TRUE(found.empty()) << found.text();
-    state_ = state_after(tree_.inner, seen, std::move(state_.samples));
+    state_ = state_after(tree_, caches_, seen, std::move(state_.samples), lights);
 }
 
 void GuidingTest::frame() {
@@ -189,14 +198,15 @@ void GuidingTest::two_frames_in_flight() {
     const Disagreements first = compare_statistics(state_, tree_, caches_, guiding().statistics(0));
     ASSERT_TRUE(first.empty()) << first.text();
     const TreeWords seen = download(between, guiding().header().node_capacity);
-    state_ = state_after(tree_.inner, seen, std::move(state_.samples));
+    state_ = state_after(tree_, caches_, seen, std::move(state_.samples),
+                         download(between.caches, guiding().header().vlc_capacity));
     ask_oracle();
     statistics_ = guiding().statistics(1);
     compare_with(between);
 }
 
-shader::GuidingSettings settings_with(uint32_t bucket) {
-    return {40, 20, bucket, bucket * 3 / 4, 1, 0};
+shader::GuidingSettings settings_with(uint32_t bucket, uint32_t persist) {
+    return {40, 20, bucket, bucket * 3 / 4, 1, persist};
 }
 
 } // namespace vigil::test

@@ -24,6 +24,8 @@ protected:
     /// Makes room for a picture this wide and high; starts with the root divided once and runs a
     /// frame on it.
     void start(const shader::GuidingSettings& settings, uint32_t picture_size = 256);
+    /// Takes other settings that make the octree start anew by themselves, and runs a frame.
+    void start_anew(const shader::GuidingSettings& settings);
 
     /// The smallest cell that holds a position.
     static glm::uvec3 cell_of(glm::vec3 position);
@@ -53,10 +55,11 @@ private:
     void compare_with(const vkpt::Guiding::Tree& old_tree);
 
     Dice garbage_{99};
+    uint32_t picture_size_ = 0;
     int frame_ = 0;
 };
 
 /// Most lights in a bucket, the hysteresis' 75%, and thresholds that random samples come near to.
-shader::GuidingSettings settings_with(uint32_t bucket);
+shader::GuidingSettings settings_with(uint32_t bucket, uint32_t persist = 0);
 
 } // namespace vigil::test

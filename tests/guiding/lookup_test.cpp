@@ -153,8 +153,7 @@ TEST_F(GuidingLookup, SurfacesFindTheirLeavesAndStoreTheirSamples) {
 TEST_F(GuidingLookup, ATreeOfAllDepths) {
     start(settings_with(32), 128);
     Dice dice(32);
-    state_ = random_samples(dice, random_tree(dice, 800, 0.7), {}, settings_,
-                            guiding().header().sample_capacity);
+    state_ = random_samples(dice, random_tree(dice, 800, 0.7), {}, settings_, guiding().header());
     render(dice, 5000, 5000.0f);
     if (HasFatalFailure()) return;
     frame();

@@ -140,8 +140,9 @@ protected:
         ByPath<LeafSamples> samples;
         for (const Path& leaf : leaves_of(inner))
             samples[leaf] = {};
-        samples["0"] = {own, previous_buckets};
-        samples["1"] = {neighbour, 0};
+        samples["0"].kept = own;
+        samples["0"].previous_buckets = previous_buckets;
+        samples["1"].kept = neighbour;
         const Caches caches = make_caches(inner, samples, limits);
         left_out_ = caches.lights_left_out;
         return caches.by_leaf.at("0");

@@ -8,8 +8,8 @@ namespace vigil::test {
 namespace {
 
 /// Thresholds so high that leaves have thousands of samples.
-shader::GuidingSettings crowded(uint32_t bucket) {
-    shader::GuidingSettings settings = settings_with(bucket);
+shader::GuidingSettings crowded(uint32_t bucket, uint32_t persist = 0) {
+    shader::GuidingSettings settings = settings_with(bucket, persist);
     settings.split = 4000;
     settings.collapse = 2000;
     return settings;
@@ -140,8 +140,8 @@ TEST_F(GuidingTest, OneHugeLeafAmongEmptyOnes) {
                          << "bucket of " << bucket << ", " << count << " samples");
             start(crowded(bucket));
             Dice dice(count + bucket);
-            state_ = random_samples(dice, random_tree(dice, 20, 0.5), {}, settings_,
-                                    guiding().header().sample_capacity);
+            state_ =
+                random_samples(dice, random_tree(dice, 20, 0.5), {}, settings_, guiding().header());
             for (auto& [path, leaf] : state_.leaves)
                 leaf.count = leaf.room = 0;
             LeafState& huge = std::next(state_.leaves.begin(), dice.below(100))->second;
@@ -160,8 +160,7 @@ TEST_F(GuidingTest, OneHugeLeafAmongEmptyOnes) {
 TEST_F(GuidingTest, NoSamplesAtAll) {
     start(settings_with(32));
     Dice dice(15);
-    state_ = random_samples(dice, random_tree(dice, 500, 0.5), {}, settings_,
-                            guiding().header().sample_capacity);
+    state_ = random_samples(dice, random_tree(dice, 500, 0.5), {}, settings_, guiding().header());
     for (auto& [path, leaf] : state_.leaves)
         leaf.count = 0;
     int frames = 0;
@@ -185,15 +184,18 @@ TEST_F(GuidingTest, HysteresisHoldsBucketsThatWouldBeMerged) {
         RandomLights lights;
         lights.most = 60;
         lights.visible = 0.9;
-        const TreeState before = random_samples(dice, random_tree(dice, 60, 0.2), lights, settings_,
-                                                guiding().header().sample_capacity);
+        const TreeState before =
+            random_samples(dice, random_tree(dice, 60, 0.2), lights, settings_, guiding().header());
         state_ = before;
         frame();
         if (HasFatalFailure()) return;
         ByPath<LeafSamples> samples;
         for (const auto& [path, leaf] : before.leaves)
             samples[path] = {std::span(before.samples).subspan(leaf.first_sample, leaf.kept()),
-                             leaf.buckets};
+                             leaf.count,
+                             leaf.buckets,
+                             {},
+                             false};
         const Caches plain = make_caches(
             before.inner, samples,
             {without.bucket, without.small_bucket, true, guiding().header().vlc_capacity});
@@ -233,8 +235,8 @@ TEST_F(GuidingTest, TheBufferOfCachesIsShared) {
     lights.fewest = 1000;
     lights.most = 2000;
     lights.visible = 1.0;
-    state_ = random_samples(dice, random_tree(dice, nodes, 0.0), lights, settings_,
-                            guiding().header().sample_capacity);
+    state_ =
+        random_samples(dice, random_tree(dice, nodes, 0.0), lights, settings_, guiding().header());
     const auto leaves = static_cast<uint32_t>(state_.leaves.size());
     const uint32_t each = guiding().header().sample_capacity / leaves;
     uint32_t first = 0;
@@ -251,6 +253,63 @@ TEST_F(GuidingTest, TheBufferOfCachesIsShared) {
     EXPECT_EQ(statistics_.cached_leaves, leaves);
     EXPECT_EQ(statistics_.most_lights, 64u); // one bucket
     EXPECT_GT(statistics_.lights_left_out, 0u);
+}
+
+/// Lights of all caches that no sample saw in the last frame.
+size_t aged_lights(const Caches& caches) {
+    size_t aged = 0;
+    for (const auto& [path, cache] : caches.by_leaf)
+        for (const auto& [light, age] : cache.ages)
+            aged += age > 0 ? 1 : 0;
+    return aged;
+}
+
+TEST_F(GuidingTest, LightsStayForSomeFrames) {
+    for (const uint32_t persist : {1u, 3u, 16u, shader::VLC_OLDEST}) {
+        start(settings_with(8, persist));
+        for (const uint32_t nodes : {1u, 20u, 600u}) {
+            SCOPED_TRACE(testing::Message() << persist << " frames, " << nodes << " nodes");
+            Dice dice(persist + nodes);
+            RandomLights lights;
+            lights.visible = 0.2;
+            random_frame(dice, random_tree(dice, nodes, 0.3), lights);
+            if (HasFatalFailure()) return;
+        }
+        EXPECT_GT(aged_lights(caches_), 100u);
+    }
+}
+
+TEST_F(GuidingTest, LightsStayWithoutNeighbours) {
+    shader::GuidingSettings settings = settings_with(16, 5);
+    settings.merge = 0;
+    start(settings);
+    Dice dice(18);
+    random_frame(dice, random_tree(dice, 200, 0.3), {});
+}
+
+TEST_F(GuidingTest, FullTablesHaveNoRoomForLightsThatWereNotSeen) {
+    for (const uint32_t bucket : {1u, 4u, 32u, 64u}) {
+        SCOPED_TRACE(testing::Message() << "bucket of " << bucket);
+        start(crowded(bucket, 10));
+        Dice dice(bucket);
+        for (const uint32_t most : {200u, 1000u, 4000u}) {
+            RandomLights lights;
+            lights.fewest = most / 2;
+            lights.most = most;
+            lights.stride = 3;
+            random_frame(dice, random_tree(dice, 5, 0.3), lights);
+            if (HasFatalFailure()) return;
+        }
+        EXPECT_GT(statistics_.lights_left_out, 0u);
+    }
+}
+
+TEST_F(GuidingTest, LightsStayInATreeThatUsesAllNodes) {
+    start(settings_with(32, 4));
+    Dice dice(19);
+    RandomLights lights;
+    lights.most = 10;
+    random_frame(dice, random_tree(dice, guiding().header().node_capacity, 0.1), lights);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "random_trees.h"
 
 #include "shared/octree.h"
+#include "shared/scene_types.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,32 @@ std::vector<uint32_t> random_counts(Dice& dice, const shader::GuidingSettings& s
     return counts;
 }
 
+/// Gives a leaf a cache at its `first_light`, if there is room.
+void random_cache(Dice& dice, const RandomLights& lights, const shader::GuidingSettings& settings,
+                  uint32_t first, uint32_t different, LeafState& leaf,
+                  std::vector<uint32_t>& caches) {
+    const uint32_t count = dice.chance(0.3) ? 0 : 1u << dice.below(7);
+    if (count == 0 || leaf.first_light + count * settings.bucket > caches.size()) return;
+    Buckets buckets(count);
+    for (uint32_t left = 1 + dice.below(60); left > 0; --left) {
+        // Some are lights that samples may see again, others are not.
+        const uint32_t light = first - lights.stride * dice.below(2 * different);
+        Lights& bucket = buckets[light % count];
+        if (bucket.size() == settings.bucket) continue;
+        bucket.insert(light);
+        // Some are too old, as if pt_vlc_persist had become lower.
+        leaf.cached[light] = dice.below(std::min(settings.persist + 3, shader::VLC_OLDEST));
+    }
+    for (uint32_t b = 0; b < count; ++b) {
+        uint32_t at = leaf.first_light + b * settings.bucket;
+        for (const uint32_t light : buckets[b])
+            caches[at++] = light + (leaf.cached.at(light) << shader::VLC_AGE_SHIFT);
+        if (buckets[b].size() < settings.bucket) caches[at] = shader::NONE;
+    }
+    leaf.buckets = count;
+    leaf.inherited = dice.chance(0.2);
+}
+
 } // namespace
 
 InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep) {
@@ -78,7 +105,9 @@ uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t fi
 }
 
 TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights& lights,
-                         const shader::GuidingSettings& settings, uint32_t sample_capacity) {
+                         const shader::GuidingSettings& settings,
+                         const shader::GuidingHeader& header) {
+    const uint32_t sample_capacity = header.sample_capacity;
     TreeState state;
     state.inner = inner;
     for (const Path& node : inner) {
@@ -94,7 +123,10 @@ TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights
     state.samples.resize(sample_capacity);
     for (uint32_t& sample : state.samples)
         sample = dice.word() | shader::LIGHT_SAMPLE_VISIBLE;
-    uint32_t used = 0;
+    state.caches.resize(header.vlc_capacity);
+    for (uint32_t& light : state.caches)
+        light = dice.word();
+    uint32_t used = 0, cached = 0;
     for (const Path& path : order) {
         LeafState& leaf = state.leaves.at(path);
         const std::array<uint32_t, 4> rooms{leaf.count, leaf.count + dice.below(10), leaf.count / 2,
@@ -105,13 +137,16 @@ TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights
         leaf.first_sample = std::min(leaf.first_sample, sample_capacity);
         leaf.room = std::min(leaf.room, sample_capacity - leaf.first_sample);
         used = leaf.first_sample + leaf.room;
-        leaf.buckets = dice.chance(0.3) ? 0 : 1u << dice.below(7);
 
         const uint32_t different = lights.fewest + dice.below(lights.most - lights.fewest + 1);
         const uint32_t first = lights.largest - lights.stride * (lights.fewest * dice.below(4));
         for (uint32_t i = 0; i < leaf.kept(); ++i)
             state.samples[leaf.first_sample + i] =
                 random_light_sample(dice, lights, first, different);
+
+        leaf.first_light = cached;
+        random_cache(dice, lights, settings, first, different, leaf, state.caches);
+        cached += leaf.buckets * settings.bucket;
     }
     return state;
 }

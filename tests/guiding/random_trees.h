@@ -5,8 +5,8 @@
 #pragma once
 
 #include "dice.h"
-#include "octree_oracle.h"
 #include "shared/guiding_types.h"
+#include "vlc_oracle.h"
 
 #include <algorithm>
 
@@ -22,6 +22,8 @@ struct LeafState {
     uint32_t room = 0; // only so many of the samples are stored
     uint32_t first_light = 0;
     uint32_t buckets = 0;
+    Ages cached;            // lights in the cache
+    bool inherited = false; // the cache is a larger leaf's
     uint32_t kept() const { return std::min(count, room); }
 };
 
@@ -30,6 +32,7 @@ struct TreeState {
     InnerNodes inner;
     ByPath<LeafState> leaves;
     std::vector<uint32_t> samples; // the whole buffer; garbage where no leaf has a sample
+    std::vector<uint32_t> caches;  // the same for the lights of caches
 };
 
 /// Which light ids samples have. A leaf draws its `lights` from one of four ranges, so that
@@ -44,7 +47,8 @@ struct RandomLights {
 
 /// Random samples for every leaf of `inner`, and random room and caches.
 TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights& lights,
-                         const shader::GuidingSettings& settings, uint32_t sample_capacity);
+                         const shader::GuidingSettings& settings,
+                         const shader::GuidingHeader& header);
 
 /// One random sample out of `lights`.
 uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t first,

@@ -116,6 +116,8 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         words.at(LEAF_STORAGE, 2, number, 1) = leaf.room;
         words.at(LEAF_VLC, 2, number, 0) = leaf.first_light;
         words.at(LEAF_VLC, 2, number, 1) = leaf.buckets;
+        words.at(LEAF_CACHED, 1, number) =
+            static_cast<uint32_t>(leaf.cached.size()) + (leaf.inherited ? LEAF_INHERITED : 0);
         for (int face = 0; face < 6; ++face)
             words.at(LEAF_NEIGHBOURS, 6, number, face) =
                 neighbour_number(state.inner, numbers, path, face);
@@ -183,7 +185,7 @@ Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
         if (room < least)
             found.add(fmt::format("{}: room: expected at least {}, seen {}", name(leaf, numbers),
                                   least, room));
-        ranges.push_back({first, uint64_t{first} + room, leaf});
+        if (room > 0) ranges.push_back({first, uint64_t{first} + room, leaf});
     }
     check_ranges(std::move(ranges), sample_capacity, "sample storage", numbers, found);
     return found;
@@ -206,6 +208,10 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
                                   cache.own.size(), visible));
 
         // Buckets.
+        const uint32_t cached = seen_old.at(LEAF_CACHED, 1, number);
+        if (cached != cache.ages.size())
+            found.add(fmt::format("{}: cached lights: expected {}, seen {}", where,
+                                  cache.ages.size(), cached));
         const uint32_t first = seen_old.at(LEAF_VLC, 2, number, 0);
         const uint32_t buckets = seen_old.at(LEAF_VLC, 2, number, 1);
         if (buckets != cache.buckets.size()) {
@@ -218,9 +224,11 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
         ranges.push_back({first, end, leaf});
         if (end > lights.size()) continue; // reported with the ranges
 
-        // Ids in their order; after them NONE where there is room for it.
+        // Ids in their order, with their ages; after them NONE where there is room for it.
         for (uint32_t b = 0; b < buckets; ++b) {
-            std::vector<uint32_t> want(cache.buckets[b].begin(), cache.buckets[b].end());
+            std::vector<uint32_t> want;
+            for (const uint32_t light : cache.buckets[b])
+                want.push_back(light + (cache.ages.at(light) << VLC_AGE_SHIFT));
             if (want.size() < bucket) want.push_back(NONE);
             const std::span<const uint32_t> got = lights.subspan(first + b * bucket, want.size());
             if (!std::equal(want.begin(), want.end(), got.begin()))
@@ -232,8 +240,9 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
     return found;
 }
 
-Disagreements compare_handed_on(const AdaptedOctree& expected, const TreeWords& seen,
-                                const InnerNodes& old, const TreeWords& seen_old) {
+Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
+                                const TreeWords& seen, const InnerNodes& old,
+                                const TreeWords& seen_old) {
     Disagreements found;
     const Numbering numbers(expected.inner);
     const Numbering old_numbers(old);
@@ -246,6 +255,11 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const TreeWords& 
             found.add(fmt::format("{}: cache: expected {} buckets at {} of old {}, seen {} at {}",
                                   name(leaf, numbers), want.y, want.x, name(source, old_numbers),
                                   got.y, got.x));
+        const uint32_t cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size()) +
+                                (leaf.size() > source.size() ? LEAF_INHERITED : 0);
+        if (seen.at(LEAF_CACHED, 1, to) != cached)
+            found.add(fmt::format("{}: cached lights, inherited: expected {:#x}, seen {:#x}",
+                                  name(leaf, numbers), cached, seen.at(LEAF_CACHED, 1, to)));
     }
     return found;
 }
@@ -290,17 +304,24 @@ Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree
     return found;
 }
 
-TreeState state_after(const InnerNodes& inner, const TreeWords& seen,
-                      std::vector<uint32_t> samples) {
+TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
+                      std::vector<uint32_t> samples, std::vector<uint32_t> lights) {
     TreeState state;
-    state.inner = inner;
+    state.inner = tree.inner;
     state.samples = std::move(samples);
-    const Numbering numbers(inner);
-    for (const Path& path : leaves_of(inner)) {
+    state.caches = std::move(lights);
+    const Numbering numbers(tree.inner);
+    for (const auto& [path, source] : tree.source) {
         const uint32_t number = numbers.leaf(path);
-        state.leaves[path] = {0, seen.at(LEAF_STORAGE, 2, number, 0),
-                              seen.at(LEAF_STORAGE, 2, number, 1), seen.at(LEAF_VLC, 2, number, 0),
-                              seen.at(LEAF_VLC, 2, number, 1)};
+        LeafState& leaf = state.leaves[path];
+        leaf.first_sample = seen.at(LEAF_STORAGE, 2, number, 0);
+        leaf.room = seen.at(LEAF_STORAGE, 2, number, 1);
+        leaf.inherited = path.size() > source.size();
+        const auto cache = caches.by_leaf.find(source);
+        if (cache == caches.by_leaf.end()) continue;
+        leaf.first_light = seen.at(LEAF_VLC, 2, number, 0);
+        leaf.buckets = static_cast<uint32_t>(cache->second.buckets.size());
+        leaf.cached = cache->second.ages;
     }
     return state;
 }

@@ -62,14 +62,16 @@ Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
 Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
                              const InnerNodes& old, std::span<const uint32_t> lights,
                              uint32_t bucket);
-Disagreements compare_handed_on(const AdaptedOctree& expected, const TreeWords& seen,
-                                const InnerNodes& old, const TreeWords& seen_old);
+Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
+                                const TreeWords& seen, const InnerNodes& old,
+                                const TreeWords& seen_old);
 
 Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree,
                                  const Caches& caches, const shader::GuidingWork& seen);
 
-/// The tree after the passes, before samples are placed in it.
-TreeState state_after(const InnerNodes& inner, const TreeWords& seen,
-                      std::vector<uint32_t> samples);
+/// The tree after the passes, before samples are placed in it. `caches` are those of the tree
+/// before, `lights` is the buffer of all caches.
+TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
+                      std::vector<uint32_t> samples, std::vector<uint32_t> lights);
 
 } // namespace vigil::test

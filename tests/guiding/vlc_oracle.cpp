@@ -25,6 +25,11 @@ uint32_t power_above(uint32_t value) {
     return power;
 }
 
+/// Buckets that the hash table has room for.
+uint32_t most_table_buckets(uint32_t bucket) {
+    return power_below(std::min(shader::VLC_TABLE_MOST_BUCKETS, shader::VLC_TABLE_SIZE / bucket));
+}
+
 Lights visible_lights(std::span<const uint32_t> kept) {
     const Stride stride = sample_stride(kept.size(), shader::VLC_MOST_SAMPLES);
     Lights lights;
@@ -90,9 +95,7 @@ Stride sample_stride(size_t kept, size_t most) {
 
 uint32_t table_buckets(uint32_t entries, uint32_t bucket) {
     const uint32_t wanted = (3 * entries + 2 * bucket - 1) / (2 * bucket);
-    const uint32_t most =
-        power_below(std::min(shader::VLC_TABLE_MOST_BUCKETS, shader::VLC_TABLE_SIZE / bucket));
-    return std::min(power_above(wanted), most);
+    return std::min(power_above(wanted), most_table_buckets(bucket));
 }
 
 Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
@@ -114,24 +117,50 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
     const uint32_t quota =
         power_below(std::max(1u, limits.vlc_capacity / (limits.bucket * leaves)));
 
+    const uint32_t most_buckets = std::min(most_table_buckets(limits.bucket), quota);
+
     for (auto& [leaf, cache] : caches.by_leaf) {
         // Merge with the neighbours' lights.
-        Lights lights = cache.own;
-        size_t entries = cache.own.size();
+        const LeafSamples& leaf_samples = samples.at(leaf);
+        Ages lights;
+        uint32_t entries = 0;
+        uint64_t samples_near = leaf_samples.count;
+        const auto take_in = [&](const Lights& seen) {
+            for (const uint32_t light : seen)
+                lights[light] = 0;
+            entries += static_cast<uint32_t>(seen.size());
+        };
+        take_in(cache.own);
         for (int face = 0; face < 6 && limits.merge; ++face) {
             const std::optional<Path> neighbour = neighbour_of(inner, leaf, face);
             if (!neighbour) continue;
-            const Lights& others = caches.by_leaf.at(*neighbour).own;
-            lights.insert(others.begin(), others.end());
-            entries += others.size();
+            take_in(caches.by_leaf.at(*neighbour).own);
+            samples_near += samples.at(*neighbour).count;
+        }
+
+        // Keep those of the cache before, if the table has room enough for all. They age where
+        // samples could have seen them, and sooner where a split left them behind.
+        if (limits.persist > 0) {
+            const auto before = static_cast<uint32_t>(leaf_samples.previous.size());
+            if (3 * (entries + before) <= 2 * most_buckets * limits.bucket) {
+                entries += before;
+                uint32_t older = samples_near > 0 ? 1 : 0;
+                if (leaf_samples.inherited) older = (3 * limits.persist + 3) / 4;
+                for (const auto& [light, age] : leaf_samples.previous)
+                    if (age + older <= limits.persist) lights.try_emplace(light, age + older);
+            }
         }
         if (lights.empty()) continue;
-        const uint32_t buckets =
-            std::min(table_buckets(static_cast<uint32_t>(entries), limits.bucket), quota);
-        const Buckets table = fill_table(lights, buckets, limits.bucket, caches.lights_left_out);
 
         // Merge buckets, bottom-up.
-        cache.buckets = merge_buckets(table, samples.at(leaf).previous_buckets, limits);
+        Lights ids;
+        for (const auto& [light, age] : lights)
+            ids.insert(light);
+        const uint32_t buckets = std::min(table_buckets(entries, limits.bucket), quota);
+        const Buckets table = fill_table(ids, buckets, limits.bucket, caches.lights_left_out);
+        cache.buckets = merge_buckets(table, leaf_samples.previous_buckets, limits);
+        for (const uint32_t light : lights_in(cache.buckets))
+            cache.ages[light] = lights.at(light);
     }
     return caches;
 }

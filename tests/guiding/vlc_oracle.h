@@ -18,6 +18,9 @@ struct LowBitsFirst {
 };
 using Lights = std::set<uint32_t, LowBitsFirst>;
 
+/// Frames since a light was seen.
+using Ages = std::map<uint32_t, uint32_t, LowBitsFirst>;
+
 /// Lights of one cache: bucket b holds those whose id leaves the remainder b.
 using Buckets = std::vector<Lights>;
 
@@ -26,17 +29,22 @@ struct CacheLimits {
     uint32_t small_bucket; // the same where there would be fewer buckets than in the frame before
     bool merge;            // take over neighbours' lights
     uint32_t vlc_capacity; // light ids that fit in all caches
+    uint32_t persist = 0;  // frames that lights stay after they were seen; 0: as in the paper
 };
 
 /// What is known of a leaf before its cache is made.
 struct LeafSamples {
     std::span<const uint32_t> kept; // as stored: id and LIGHT_SAMPLE_VISIBLE
+    uint32_t count = 0;             // samples, stored or not
     uint32_t previous_buckets = 0;  // of the leaf's cache in the frame before
+    Ages previous;                  // the lights in it
+    bool inherited = false;         // it was made for a larger leaf
 };
 
 struct Cache {
     Lights own;      // different lights that the leaf's samples saw
     Buckets buckets; // own and neighbours' lights; none if there are no lights
+    Ages ages;       // of the lights in buckets
 };
 
 struct Caches {
