@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sampling a triangular emitter uniformly by area, as seen from a point. One sign decides whether a
-// light faces the point (`light_facing`), and light selection (ltc.h) asks the same function, so
-// that no light is drawn which cannot contribute, and none that can is left out. Visibility is the
-// caller's.
+// Sampling a triangular emitter as seen from a point: uniformly by area, or, where it is so near
+// that its points differ much in what they are worth, uniformly by solid angle. (The paper samples
+// by area always. Near a lamp that has no finite variance: whatever chooses the lights, a few
+// samples then decide the error of a picture.) One sign decides whether a light faces the point
+// (`light_facing`), and light selection (ltc.h) asks the same function, so that no light is drawn
+// which cannot contribute, and none that can is left out. Visibility is the caller's.
 #ifndef VIGIL_SHARED_TRIANGLE_LIGHT_H
 #define VIGIL_SHARED_TRIANGLE_LIGHT_H
 
 #include "glsl.h"
 #include "sampling.h"
 #include "scene_types.h"
+#include "spherical_triangle.h"
 
 SHADER_BEGIN
 
@@ -60,17 +63,65 @@ SHADER_FN LightSample see_light_point(Light light, vec3 position, vec3 point) {
     return seen;
 }
 
-/// Draws a point uniformly on the light. Radiance leaving `position` towards the viewer through
-/// this sample is light.radiance * (BRDF * cosine) * geometry / (chance of choosing this light), if
-/// the point is visible.
+/// Below this solid angle (steradian) a light is sampled by area.
+SHADER_CONST float LIGHT_NEAR_SOLID_ANGLE = 0.02f;
+
+/// The light as a spherical triangle if it is sampled by solid angle; otherwise its solid_angle is
+/// 0.
+SHADER_FN SphericalTriangle near_light(Light light, vec3 position) {
+    SphericalTriangle seen;
+    seen.solid_angle = 0.0f;
+    // A light of less than half its distance in size is far, without a closer look.
+    const vec3 a = light.v0 - position;
+    if (4.0f * (dot(light.e1, light.e1) + dot(light.e2, light.e2)) < dot(a, a)) return seen;
+    const vec3 b = a + light.e1;
+    const vec3 c = a + light.e2;
+    if (!(light_facing(light, position) > 0.0f) || !(dot(a, a) > 0.0f) || !(dot(b, b) > 0.0f) ||
+        !(dot(c, c) > 0.0f))
+        return seen;
+    seen = spherical_triangle(a, b, c);
+    if (!(seen.solid_angle > LIGHT_NEAR_SOLID_ANGLE)) seen.solid_angle = 0.0f;
+    return seen;
+}
+
+/// The light's point in a direction inside its solid angle, as barycentric weights of e1 and e2.
+SHADER_FN vec2 light_point_in_direction(Light light, vec3 position, vec3 direction) {
+    const vec3 across = cross(direction, light.e2);
+    const float determinant = dot(light.e1, across);
+    const vec3 offset = position - light.v0;
+    const float x = dot(offset, across) / determinant;
+    const float y = dot(direction, cross(offset, light.e1)) / determinant;
+    // Rounding may carry it over an edge; directions along the plane have no point: the middle will
+    // do.
+    if (!(abs(x) < 2.0f && abs(y) < 2.0f)) return vec2(1.0f / 3.0f);
+    const vec2 inside = max(vec2(x, y), vec2(0.0f));
+    return inside / max(inside.x + inside.y, 1.0f);
+}
+
+/// Draws a point on the light. Radiance leaving `position` towards the viewer through this sample
+/// is light.radiance * (BRDF * cosine) * geometry / (chance of choosing this light), if the point
+/// is visible.
 SHADER_FN LightSample sample_light(Light light, vec3 position, vec2 u) {
-    vec2 weights = sample_triangle(u);
-    return see_light_point(light, position, light.v0 + weights.x * light.e1 + weights.y * light.e2);
+    const SphericalTriangle near = near_light(light, position);
+    vec2 weights;
+    if (near.solid_angle > 0.0f)
+        weights = light_point_in_direction(light, position, sample_spherical_triangle(near, u));
+    else
+        weights = sample_triangle(u);
+    LightSample seen =
+        see_light_point(light, position, light.v0 + weights.x * light.e1 + weights.y * light.e2);
+    if (near.solid_angle > 0.0f) {
+        seen.geometry = near.solid_angle;
+        seen.pdf = 1.0f / near.solid_angle;
+    }
+    return seen;
 }
 
 /// Density per steradian with which `sample_light` draws `point`; 0 where it never does.
 SHADER_FN float light_pdf(Light light, vec3 position, vec3 point) {
-    return see_light_point(light, position, point).pdf;
+    const SphericalTriangle near = near_light(light, position);
+    return near.solid_angle > 0.0f ? 1.0f / near.solid_angle
+                                   : see_light_point(light, position, point).pdf;
 }
 
 SHADER_END
