@@ -1,24 +1,12 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `octree`, step 1 (paper, section 6.2, "mark"): one invocation per old node decides which of its leaves are split and
-// whether it collapses. It also lists the leaves that have samples, and those that a cache can be made for.
+// whether it collapses. It also lists the leaves that have samples, and those whose cache is made: they have samples, or a cache to keep.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
 
 layout(local_size_x = 64) in;
-
-/// Whether a leaf or one of its neighbours has samples.
-bool has_samples_near(uint leaf, uint count) {
-    if (count > 0u) return true;
-    if (settings.merge == 0u) return false;
-    const uint first = leaf_word(LEAF_NEIGHBOURS, 6u, leaf);
-    for (uint face = 0u; face < 6u; ++face) {
-        const uint neighbour = old_leaves[first + face];
-        if (neighbour != NONE && old_leaf_count(neighbour) > 0u) return true;
-    }
-    return false;
-}
 
 void main() {
     const uint index = gl_GlobalInvocationID.x;
@@ -41,7 +29,7 @@ void main() {
             if (count > room) atomicAdd(work.dropped, count - room);
         }
         const bool has_cache = settings.persist > 0u && old_leaves[leaf_word(LEAF_VLC, 2u, leaf) + 1u] > 0u;
-        if (has_cache || has_samples_near(leaf, count)) {
+        if (has_cache || count > 0u) {
             leaf_lists[leaf_capacity() + atomicAdd(work.merge_groups.x, 1u)] = leaf;
         } else {
             const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
