@@ -21,6 +21,10 @@ layout(set = SET_GUIDING, binding = BINDING_GUIDING_SAMPLES, scalar) restrict wr
 };
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_VLC, scalar) restrict readonly buffer VlcBlock { uint vlc_lights[]; };
 
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_RAYS, scalar) restrict writeonly buffer RaySampleBlock {
+    uint ray_samples[];
+};
+
 /// The leaves of a surface: the one it was in a frame ago, where its cache is, and the one it is in now, where
 /// its samples go. They are the same for what does not move.
 struct SurfaceLeaves {
@@ -73,6 +77,23 @@ void store_light_sample(uint leaf, uint light, bool visible) {
     const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
     if (number >= leaves[storage + 1u]) return;
     light_samples[leaves[storage] + number] = light | (visible ? LIGHT_SAMPLE_VISIBLE : 0u);
+}
+
+/// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
+void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, 1u, leaf)], 1u); }
+
+/// Stores what a ray contributed, if it did and the leaf has room.
+void store_ray_sample(uint leaf, uvec2 grid, float contribution) {
+    if (!(contribution > 0.0)) return;
+    const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, 1u, leaf)], 1u);
+    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    if (number >= leaves[storage + 1u]) return;
+    ray_samples[leaves[storage] + number] = ray_sample_pack(grid, contribution);
+}
+
+uvec4 load_cdq(uint leaf) {
+    const uint first = leaf_word(LEAF_CDQ, 4u, leaf);
+    return uvec4(leaves[first], leaves[first + 1u], leaves[first + 2u], leaves[first + 3u]);
 }
 
 #endif

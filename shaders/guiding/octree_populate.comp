@@ -102,6 +102,9 @@ void main() {
     new_leaves[storage + 1u] = min(room, header.sample_capacity - first); // sums of floats may overshoot by a few
 
     new_leaves[leaf_word(LEAF_SOURCE, 1u, leaf)] = source;
+    new_leaves[leaf_word(LEAF_RAYS, 1u, leaf)] = 0u;
+    for (uint word = 0u; word < 4u; ++word)
+        new_leaves[leaf_word(LEAF_CDQ, 4u, leaf) + word] = old_leaves[leaf_word(LEAF_CDQ, 4u, source) + word];
     const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
     const uint old_cache = leaf_word(LEAF_VLC, 2u, source);
     new_leaves[cache] = old_leaves[old_cache];

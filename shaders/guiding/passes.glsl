@@ -31,6 +31,8 @@ layout(set = 0, binding = 11, scalar) restrict buffer WorkBlock { GuidingWork wo
 
 layout(set = 0, binding = 12, scalar) restrict readonly buffer OldVlcBlock { uint old_caches[]; };
 
+layout(set = 0, binding = 13, scalar) restrict readonly buffer RaySampleBlock { uint ray_samples[]; };
+
 layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; };
 
 uint leaf_capacity() { return 8u * header.node_capacity; }

@@ -15,6 +15,7 @@ layout(constant_id = 10) const bool HAS_GLOSS = true;
 layout(constant_id = 11) const bool HAS_LIQUID = true; // warping or flowing textures
 layout(constant_id = 12) const bool HAS_ANIMATION = true; // animated textures
 layout(constant_id = 13) const bool HAS_LIGHTS = true;
+layout(constant_id = 14) const uint CDQ_BITS = 0u; // of the directional quadtrees that guide rays; 0: the BRDF alone
 
 layout(set = SET_SCENE, binding = BINDING_FRAME, scalar) uniform FrameBlock { FrameParams frame; };
 

@@ -40,6 +40,7 @@
 #define BINDING_GUIDING_LEAVES 2  // arrays by leaf: shared/guiding_types.h
 #define BINDING_GUIDING_SAMPLES 3 // light samples
 #define BINDING_GUIDING_VLC 4     // light ids of the caches
-#define GUIDING_BINDING_COUNT 5
+#define BINDING_GUIDING_RAYS 5    // ray samples
+#define GUIDING_BINDING_COUNT 6
 
 #endif

@@ -78,7 +78,7 @@
         "octree: factor on both thresholds; they also follow the number of pixels") \
     GPU_INTEGER(pt_vlc_bucket, Session, 32, 1, 64, \
         "vlc: most lights weighted per hit; caches with more have several buckets") \
-    GPU_REAL(pt_vlc_explore, Session, 0.1, 0.01, 1.0, \
+    GPU_REAL(pt_vlc_explore, Session, 0.05, 0.01, 1.0, \
         "vlc: share of light samples that look for lights not in the cache") \
     REAL(pt_vlc_hysteresis, Session, 0.75, 0.0, 1.0, \
         "vlc: buckets must be emptier than this share before their number falls") \
@@ -93,6 +93,14 @@
         "vlc: weight of a light's appearing, moving or brightening when looking for lights") \
     REAL(pt_explore_distance, Session, 1.0, 0.0, 1e6, \
         "vlc: weight of being near the camera when looking for lights") \
+    CHOICE(pt_guide, Session, "brdf", "brdf|cdq", \
+        "how indirect rays are drawn: by the BRDF alone, or also by quadtrees of directions that brought light") \
+    CHOICE(pt_cdq_bits, Session, "128", "32|64|96|128", \
+        "cdq: size of a quadtree; 25, 49, 73 or 97 leaves") \
+    GPU_REAL(pt_cdq_brdf, Session, 0.5, 0.05, 1.0, "cdq: share of rays drawn by the BRDF") \
+    REAL(pt_cdq_margin, Session, 0.1, 0.0, 1.0, \
+        "cdq: a quadtree is refined where this share of a leaf's contribution exceeds what is given up") \
+    INTEGER(pt_cdq_migrations, Session, 1, 0, 16, "cdq: refinements of a quadtree per frame, at most") \
     GPU_REAL(pt_sky_scale, Session, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \
     GPU_REAL(pt_sun_size, Session, 1.0, 0.01, 90.0, "angular diameter of the sun in degrees") \

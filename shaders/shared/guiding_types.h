@@ -26,7 +26,9 @@ SHADER_CONST uint LEAF_VISIBLE = 5u;     // 1 word: different lights among the l
 SHADER_CONST uint LEAF_NEIGHBOURS = 6u;  // 6 words: leaf beyond the faces -x +x -y +y -z +z, or NONE
 SHADER_CONST uint LEAF_SOURCE = 12u;     // 1 word: corresponding leaf of the tree before
 SHADER_CONST uint LEAF_CACHED = 13u;     // 1 word: lights in the cache, and LEAF_INHERITED if they are those of a larger leaf
-SHADER_CONST uint LEAF_WORDS = 14u;      // per leaf altogether
+SHADER_CONST uint LEAF_RAYS = 14u;       // 1 word: ray samples that fell into the leaf
+SHADER_CONST uint LEAF_CDQ = 15u;        // 4 words: directional quadtree (cdq.h)
+SHADER_CONST uint LEAF_WORDS = 19u;      // per leaf altogether
 
 SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
 
@@ -39,6 +41,21 @@ SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x07ffffffu;
 SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
 SHADER_CONST uint VLC_AGE_SHIFT = 27u;
 SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
+
+/// A ray sample, 4 bytes: the cell of its direction on the grid of the smallest quadtree leaves, and what it contributed, in
+/// quarters of a power of two from 2^-32 on. It decides where to look, never how bright anything is.
+SHADER_FN uint ray_sample_pack(uvec2 grid, float contribution) {
+    const float steps = clamp(4.0f * log2(max(contribution, 1e-30f)) + 128.5f, 0.0f, 255.0f);
+    return grid.x | (grid.y << 12u) | (uint(steps) << 24u);
+}
+
+SHADER_FN uvec2 ray_sample_grid(uint packed_sample) {
+    return uvec2(packed_sample & 0xfffu, (packed_sample >> 12u) & 0xfffu);
+}
+
+SHADER_FN float ray_sample_contribution(uint packed_sample) {
+    return exp2(0.25f * (float(packed_sample >> 24u) - 128.0f));
+}
 
 /// A leaf's samples beyond this many are passed over, evenly: as many as make a leaf split at 1920 x 1080 pixels. Also,
 /// llvmpipe silently ends all loops of an invocation after 65,535 rounds together: each of the VLC_LEAST_LANES puts at
@@ -59,6 +76,8 @@ struct GuidingSettings {
     uint bucket;       // most lights in a bucket
     uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
     uint merge;        // 1: caches take over the lights of their neighbours
+    uint migrations;   // of a directional quadtree in a frame, at most
+    float margin;      // how far a migration must pay off
     uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
 #ifdef __cplusplus
     bool operator==(const GuidingSettings&) const = default;
@@ -86,6 +105,7 @@ struct GuidingWork {
     uint lights_left_out; // found by samples, but the table was full
     uint splits;
     uint collapses;
+    uint cdq_migrations;
     uint splits_refused; // the tree had no room for more nodes
 };
 

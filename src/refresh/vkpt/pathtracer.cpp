@@ -104,7 +104,8 @@ const PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& vari
     const auto known = std::find_if(variants_.begin(), variants_.end(),
                                     [&](const auto& made) { return made->variant == variant; });
     if (known != variants_.end()) return **known;
-    const std::vector<gpu::Specialization> constants = specialization(variant.features);
+    std::vector<gpu::Specialization> constants = specialization(variant.features);
+    constants.push_back({14, variant.cdq_bits});
     const std::string backend = variant.ray_query ? ".query" : "";
     const std::string technique(technique_infos[static_cast<size_t>(variant.technique)].name);
     const auto make = [&](const std::string& name) {

@@ -18,6 +18,7 @@ struct PathTracerVariant {
     Technique technique = Technique::sll;
     SceneFeatures features;
     bool ray_query = false;
+    uint32_t cdq_bits = 0; // of the quadtrees that guide indirect rays; 0: none do
     bool operator==(const PathTracerVariant&) const = default;
 };
 

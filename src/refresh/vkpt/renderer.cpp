@@ -133,9 +133,19 @@ bool VkptRenderer::prepare_ray_query() {
     }
 }
 
+uint32_t VkptRenderer::cdq_bits() const {
+    return Guiding::options(path_tracer_.size()).cdq_bits;
+}
+
+bool VkptRenderer::guided() const {
+    return technique_->uses_guiding() || cdq_bits() > 0;
+}
+
 void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
-    if (!technique_->uses_guiding()) return;
-    guiding_.prepare(Guiding::options(path_tracer_.size()));
+    if (!guided()) return;
+    Guiding::Options options = Guiding::options(path_tracer_.size());
+    options.lights = technique_->uses_guiding();
+    guiding_.prepare(options);
     guiding_.record(commands, slot);
 }
 
@@ -202,8 +212,9 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         params.jitter =
             cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
         params.samples_lights = technique_->samples_lights() && scene_->features().lights ? 1u : 0u;
-        params.guided = technique_->uses_guiding() ? 1u : 0u;
-        const PathTracerVariant variant{technique_id_, scene_->features(), use_ray_query()};
+        params.guided = guided() ? 1u : 0u;
+        const PathTracerVariant variant{technique_id_, scene_->features(), use_ray_query(),
+                                        cdq_bits()};
         path_tracer_.record(commands, variant, params, static_cast<uint32_t>(cvars()->pt_spp),
                             technique_->samples_lights(), guiding_.set());
         legend_.record(commands, path_tracer_.display(),

@@ -51,6 +51,10 @@ private:
     glm::uvec2 picture_size() const;
     void resize(glm::uvec2 size);
     void select_technique(Technique technique);
+    /// Of the quadtrees that guide indirect rays; 0: none do.
+    uint32_t cdq_bits() const;
+    /// Whether the octree is kept: for the technique, or for the quadtrees.
+    bool guided() const;
     void update_guiding(gpu::FrameCommands& commands, size_t slot);
     bool use_ray_query() const;
     void follow_trace_setting();

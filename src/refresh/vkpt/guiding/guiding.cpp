@@ -4,6 +4,7 @@
 #include "common/cvar.h"
 #include "refresh/vkpt/shader_library.h"
 #include "shared/bindings.h"
+#include "shared/cdq.h"
 #include "shared/octree.h"
 #include "shared/scene_types.h"
 
@@ -17,7 +18,7 @@ namespace vigil::vkpt {
 namespace {
 
 /// Bindings of the passes: shaders/guiding/passes.glsl.
-constexpr size_t pass_binding_count = 13;
+constexpr size_t pass_binding_count = 14;
 /// Words per node in the plan of a rebuild.
 constexpr uint64_t plan_words = 4;
 /// A work group per leaf must fit into one dimension of a dispatch, which Vulkan lets end at
@@ -36,7 +37,7 @@ uint32_t scaled(int threshold, double factor, uint32_t least) {
 } // namespace
 
 Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, size_t slots)
-    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+    : device_(device), cache_(cache), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       header_buffer_(device, sizeof(shader::GuidingHeader), gpu::MemoryUse::Device,
                      "guiding header"),
       work_(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Device, "guiding work",
@@ -83,6 +84,10 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size) {
     options.settings.bucket = bucket;
     const float share = cvars()->pt_vlc_hysteresis * static_cast<float>(bucket);
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
+    options.settings.migrations = static_cast<uint32_t>(cvars()->pt_cdq_migrations);
+    options.settings.margin = cvars()->pt_cdq_margin;
+    if (cvars()->pt_guide == cvar_choice("pt_guide", "cdq"))
+        options.cdq_bits = 32 * (static_cast<uint32_t>(cvars()->pt_cdq_bits) + 1);
     options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
     options.settings.merge = cvars()->pt_vlc_merge != 0 ? 1 : 0;
     return options;
@@ -100,10 +105,18 @@ uint32_t Guiding::node_capacity(const Options& options) {
 
 bool Guiding::prepare(const Options& options) {
     const bool fits = header_.node_capacity == node_capacity(options) &&
-                      options_.picture_size == options.picture_size;
-    // Caches of the frame before lie in buckets of their own size.
-    restart_ |= options_.settings.bucket != options.settings.bucket;
+                      options_.picture_size == options.picture_size &&
+                      (options_.cdq_bits > 0) == (options.cdq_bits > 0);
+    // Caches of the frame before lie in buckets of their own size, quadtrees have their own.
+    restart_ |= options_.settings.bucket != options.settings.bucket ||
+                options_.cdq_bits != options.cdq_bits;
     options_ = options;
+    if (options_.cdq_bits > 0 && !cdq_adapt_[options_.cdq_bits / 32 - 1]) {
+        const std::array constants{gpu::Specialization{0, device_.features().subgroup_size},
+                                   gpu::Specialization{1, options_.cdq_bits}};
+        cdq_adapt_[options_.cdq_bits / 32 - 1] = {
+            device_, pass_layout_.get(), cache_, shader_code("cdq_adapt"), constants, "cdq_adapt"};
+    }
     if (fits) return false;
     device_.wait_idle();
     make_buffers();
@@ -128,6 +141,7 @@ void Guiding::make_buffers() {
     }
     plan_ = make(plan_words * nodes, "octree plan");
     samples_ = make(header_.sample_capacity, "light samples");
+    rays_ = options_.cdq_bits > 0 ? make(header_.sample_capacity, "ray samples") : gpu::Buffer();
     lists_ = make(2 * leaves, "leaf lists");
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
@@ -139,11 +153,14 @@ void Guiding::bind(Tree& from, const Tree& to) {
     lookup.bind(BINDING_GUIDING_NODES, from.nodes);
     lookup.bind(BINDING_GUIDING_LEAVES, from.leaves);
     lookup.bind(BINDING_GUIDING_SAMPLES, samples_);
+    const gpu::Buffer& rays = rays_ ? rays_ : unused_;
+    lookup.bind(BINDING_GUIDING_RAYS, rays);
     lookup.bind(BINDING_GUIDING_VLC, from.caches);
     gpu::DescriptorSet& passes = from.passes;
     const std::array<const gpu::Buffer*, pass_binding_count> buffers{
-        &header_buffer_, &from.nodes, &from.cells, &from.leaves, &to.nodes, &to.cells,   &to.leaves,
-        &plan_,          &samples_,   &to.caches,  &lists_,      &work_,    &from.caches};
+        &header_buffer_, &from.nodes, &from.cells,  &from.leaves, &to.nodes,
+        &to.cells,       &to.leaves,  &plan_,       &samples_,    &to.caches,
+        &lists_,         &work_,      &from.caches, &rays};
     for (uint32_t i = 0; i < buffers.size(); ++i)
         passes.bind(i, *buffers[i]);
 }
@@ -174,6 +191,12 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     fill(shader::LEAF_NEIGHBOURS, 6, shader::NONE);
     fill(shader::LEAF_SOURCE, 1, 0);
     fill(shader::LEAF_CACHED, 1, 0);
+    fill(shader::LEAF_RAYS, 1, 0);
+    const glm::uvec4 even = shader::cdq_even_tree(std::max(options_.cdq_bits, 32u));
+    const std::vector<glm::uvec4> quadtrees(8, even);
+    commands.upload(tree.leaves,
+                    uint64_t{shader::LEAF_CDQ} * 8 * header_.node_capacity * sizeof(uint32_t),
+                    gpu::bytes_of(quadtrees));
     restart_ = false;
 }
 
@@ -205,14 +228,17 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
         const PassScope scope(device_, commands, Pass::Octree);
         run(mark_, node_groups);
     }
-    {
-        const PassScope scope(device_, commands, Pass::VlcDeduplicate);
-        run_indirect(deduplicate_, offsetof(shader::GuidingWork, deduplicate_groups));
+    const auto run_listed = [&](Pass pass, const gpu::ComputePipeline& pipeline, size_t groups) {
+        const PassScope scope(device_, commands, pass);
+        run_indirect(pipeline, groups);
+    };
+    const size_t sampled = offsetof(shader::GuidingWork, deduplicate_groups);
+    if (options_.lights) {
+        run_listed(Pass::VlcDeduplicate, deduplicate_, sampled);
+        run_listed(Pass::VlcMerge, merge_, offsetof(shader::GuidingWork, merge_groups));
     }
-    {
-        const PassScope scope(device_, commands, Pass::VlcMerge);
-        run_indirect(merge_, offsetof(shader::GuidingWork, merge_groups));
-    }
+    if (options_.cdq_bits > 0)
+        run_listed(Pass::CdqAdapt, cdq_adapt_[options_.cdq_bits / 32 - 1], sampled);
     {
         const PassScope scope(device_, commands, Pass::Octree);
         run(rebuild_, 1);
@@ -233,7 +259,7 @@ uint64_t Guiding::memory_bytes() const {
     for (const Tree& tree : trees_)
         bytes +=
             tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes() + tree.caches.bytes();
-    for (const gpu::Buffer* buffer : {&header_buffer_, &plan_, &samples_, &lists_, &work_})
+    for (const gpu::Buffer* buffer : {&header_buffer_, &plan_, &samples_, &rays_, &lists_, &work_})
         bytes += buffer->bytes();
     return bytes;
 }

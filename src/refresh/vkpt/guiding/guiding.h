@@ -24,6 +24,8 @@ public:
     struct Options {
         glm::uvec2 picture_size{0, 0};
         shader::GuidingSettings settings{};
+        uint32_t cdq_bits = 0; // of the directional quadtrees; 0: none are kept
+        bool lights = true;    // light samples are stored, and caches made of them
         bool operator==(const Options&) const = default;
     };
     /// Options from the variables. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080
@@ -73,12 +75,14 @@ private:
     void upload_start(gpu::FrameCommands& commands);
 
     const gpu::Device& device_;
+    const gpu::PipelineCache* cache_;
     gpu::Buffer unused_;
     std::array<Tree, 2> trees_;
     size_t current_ = 0;
-    gpu::Buffer header_buffer_, plan_, samples_, lists_, work_;
+    gpu::Buffer header_buffer_, plan_, samples_, rays_, lists_, work_;
     std::vector<gpu::Buffer> statistics_;
     gpu::Handle<VkPipelineLayout> pass_layout_;
+    std::array<gpu::ComputePipeline, 4> cdq_adapt_; // for 32, 64, 96, 128 bits, made when needed
     gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, renumber_, populate_;
     Options options_;
     shader::GuidingHeader header_{};

@@ -1,0 +1,168 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `cdq_adapt` (paper, section 5.1): one work group, of one subgroup, per old leaf with samples. It adds up the squared contributions of
+// the leaf's rays in the leaves of its directional quadtree, and lets the quadtree's leaves migrate from where they contribute
+// least to where they contribute most.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#include "shared/extensions.glsl"
+#include "guiding/passes.glsl"
+#include "shared/cdq.h"
+
+layout(local_size_x_id = 0) in;
+layout(constant_id = 1) const uint CDQ_BITS = 128u;
+const uint LANES = gl_WorkGroupSize.x;
+const uint MOST_LANES = 128u;
+
+shared uint sums[CDQ_MOST_BITS];        // squared contributions by leaf, as floats' bits
+shared uint first_child[CDQ_MOST_BITS]; // of inner nodes; 0: a leaf
+shared float lane_leaf_sum[MOST_LANES];
+shared float lane_inner_sum[MOST_LANES];
+shared uint lane_leaf[MOST_LANES];
+shared uint lane_inner[MOST_LANES];
+
+float sum_of(uint node) { return uintBitsToFloat(sums[node]); }
+
+void add_sum(uint node, float value) {
+    uint seen = sums[node];
+    for (;;) {
+        const uint before = atomicCompSwap(sums[node], seen, floatBitsToUint(uintBitsToFloat(seen) + value));
+        if (before == seen) return;
+        seen = before;
+    }
+}
+
+/// The quadtree leaf of a cell on the grid of the smallest ones.
+uint find_node(uvec2 grid) {
+    uint shift = CDQ_MAX_DEPTH - 1u;
+    uint node = ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u);
+    while (first_child[node] != 0u && shift > 0u) {
+        shift -= 1u;
+        node = first_child[node] + (((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u));
+    }
+    return node;
+}
+
+/// Adds up the samples: lanes that found the same leaf first among themselves, then in shared memory.
+void accumulate(uint first, uint count) {
+    for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
+        const uint ray = ray_samples[first + i];
+        const float contribution = ray_sample_contribution(ray);
+        const uint node = find_node(ray_sample_grid(ray));
+        for (;;) {
+            const uint leader = subgroupBroadcastFirst(node);
+            if (leader != node) continue;
+            const float sum = subgroupAdd(contribution * contribution);
+            if (subgroupElect()) add_sum(node, sum);
+            break;
+        }
+    }
+}
+
+/// Looks for the leaf that contributes most and may be split, and for the inner node above leaves that contributes least.
+void search(uvec4 tree, out uint leaf, out uint inner) {
+    const uint lane = gl_LocalInvocationID.x;
+    float most = -1.0;
+    float least = 3e38;
+    uint own_leaf = NONE;
+    uint own_inner = NONE;
+    for (uint node = lane; node < CDQ_BITS; node += LANES) {
+        const uint child = first_child[node];
+        if (child == 0u) {
+            if (sum_of(node) > most && cdq_cell(tree, node).depth < CDQ_MAX_DEPTH) {
+                most = sum_of(node);
+                own_leaf = node;
+            }
+        } else if ((first_child[child] | first_child[child + 1u] | first_child[child + 2u] | first_child[child + 3u]) == 0u) {
+            const float sum = sum_of(child) + sum_of(child + 1u) + sum_of(child + 2u) + sum_of(child + 3u);
+            if (sum < least) {
+                least = sum;
+                own_inner = node;
+            }
+        }
+    }
+    lane_leaf_sum[lane] = most;
+    lane_leaf[lane] = own_leaf;
+    lane_inner_sum[lane] = least;
+    lane_inner[lane] = own_inner;
+    barrier();
+    for (uint other = 0u; other < LANES; ++other) {
+        if (lane_leaf_sum[other] > most || (lane_leaf_sum[other] == most && lane_leaf[other] < own_leaf)) {
+            most = lane_leaf_sum[other];
+            own_leaf = lane_leaf[other];
+        }
+        if (lane_inner_sum[other] < least || (lane_inner_sum[other] == least && lane_inner[other] < own_inner)) {
+            least = lane_inner_sum[other];
+            own_inner = lane_inner[other];
+        }
+    }
+    barrier();
+    leaf = own_leaf;
+    inner = own_inner;
+    // The leaf must be worth it.
+    if (leaf == NONE || inner == NONE || !(most * settings.margin > least)) leaf = NONE;
+}
+
+void find_children(uvec4 tree) {
+    for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES)
+        first_child[node] = cdq_is_inner(tree, node) ? cdq_child(tree, node, 0u) : 0u;
+}
+
+/// Brings the sums to the tree after a migration: the leaf's goes to its new children in equal parts.
+void move_sums(uvec4 tree, uint inner, uint leaf) {
+    const uint removed = first_child[inner];
+    const float inner_sum = sum_of(removed) + sum_of(removed + 1u) + sum_of(removed + 2u) + sum_of(removed + 3u);
+    const uint inserted = cdq_child(tree, leaf > removed ? leaf - 4u : leaf, 0u);
+    const float part = 0.25 * sum_of(leaf);
+    // At most 16 values per lane: a lane has CDQ_BITS / LANES nodes, and no subgroup is smaller than 4.
+    float moved[32];
+    uint count = 0u;
+    for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES) {
+        float value = part;
+        if (node < inserted || node >= inserted + 4u) {
+            uint old = node >= inserted + 4u ? node - 4u : node;
+            old += old >= removed ? 4u : 0u;
+            value = old == inner ? inner_sum : sum_of(old);
+        }
+        moved[count++] = value;
+    }
+    barrier();
+    count = 0u;
+    for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES) sums[node] = floatBitsToUint(moved[count++]);
+}
+
+void main() {
+    const uint lane = gl_LocalInvocationID.x;
+    const uint octree_leaf_index = leaf_lists[gl_WorkGroupID.x];
+    const uint storage = leaf_word(LEAF_STORAGE, 2u, octree_leaf_index);
+    const uint rays = min(old_leaves[leaf_word(LEAF_RAYS, 1u, octree_leaf_index)], old_leaves[storage + 1u]);
+    if (rays == 0u) return;
+    const uint words = leaf_word(LEAF_CDQ, 4u, octree_leaf_index);
+    uvec4 tree = uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]);
+
+    for (uint node = lane; node < CDQ_BITS; node += LANES) sums[node] = 0u;
+    find_children(tree);
+    barrier();
+    accumulate(old_leaves[storage], rays);
+    barrier();
+    uint migrated = 0u;
+    for (; migrated < settings.migrations; ++migrated) {
+        uint leaf;
+        uint inner;
+        search(tree, leaf, inner);
+        if (leaf == NONE) break;
+        const uvec4 after = cdq_migrate(tree, inner, leaf);
+        if (migrated + 1u < settings.migrations) {
+            move_sums(after, inner, leaf);
+            barrier();
+            find_children(after);
+            barrier();
+        }
+        tree = after;
+    }
+    if (lane == 0u && migrated > 0u) {
+        for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = tree[word];
+        atomicAdd(work.cdq_migrations, migrated);
+    }
+}
