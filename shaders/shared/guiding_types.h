@@ -76,9 +76,9 @@ struct GuidingSettings {
     uint bucket;       // most lights in a bucket
     uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
     uint merge;        // 1: caches take over the lights of their neighbours
+    uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;   // of a directional quadtree in a frame, at most
     float margin;      // how far a migration must pay off
-    uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
 #ifdef __cplusplus
     bool operator==(const GuidingSettings&) const = default;
 #endif

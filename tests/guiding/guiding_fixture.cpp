@@ -206,7 +206,14 @@ void GuidingTest::two_frames_in_flight() {
 }
 
 shader::GuidingSettings settings_with(uint32_t bucket, uint32_t persist) {
-    return {40, 20, bucket, bucket * 3 / 4, 1, persist};
+    shader::GuidingSettings settings{};
+    settings.split = 40;
+    settings.collapse = 20;
+    settings.bucket = bucket;
+    settings.small_bucket = bucket * 3 / 4;
+    settings.merge = 1;
+    settings.persist = persist;
+    return settings;
 }
 
 } // namespace vigil::test

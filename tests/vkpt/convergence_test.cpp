@@ -28,11 +28,14 @@ int path_factor() {
 
 class Convergence : public RenderTest {
 protected:
-    /// All techniques against brute force on one picture.
-    void expect_equal_means(const Shot& shot, const Plan& plan) {
+    /// All techniques, with rays drawn as pt_guide `guide` says, against brute force on one
+    /// picture, whose rays are drawn by the BRDF alone.
+    void expect_equal_means(const Shot& shot, const Plan& plan, const char* guide = "brdf") {
         set("pt_nee", "brute");
+        set("pt_guide", "brdf");
         const PictureBatches brute =
             batches(shot, brute_batches, plan.brute_paths * path_factor(), 1000, block);
+        set("pt_guide", guide);
         for (const TechniqueInfo& info : technique_infos) {
             if (info.name == "brute") continue;
             set("pt_nee", info.name);
@@ -96,6 +99,21 @@ TEST_F(Convergence, DoorWithALampMoved) {
     shot.entities[0].angles = {0, 30, 0};
     shot.entities[0].origin = {40, -150, 20};
     expect_equal_means(shot, {});
+}
+
+TEST_F(Convergence, GuidedRays) {
+    load("rooms");
+    expect_equal_means(view_at({290, 20, 96}, 5, 55), {}, "cdq");
+}
+
+TEST_F(Convergence, GuidedRaysToTheSky) {
+    load("opensky");
+    set("pt_cdq_bits", "32");
+    set("pt_cdq_migrations", "4");
+    set("pt_sun_size", "40");
+    Shot shot = view_at({-192, -64, 56}, 0, 20);
+    shot.dynamic_lights = {{1, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
+    expect_equal_means(shot, {96, 96, 0.03}, "cdq");
 }
 
 TEST_F(Convergence, DynamicLights) {

@@ -120,7 +120,7 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
 
 void RenderTest::learn(const Shot& shot, int frames) {
     radiance(shot);
-    if (!renderer().technique()->uses_guiding()) return;
+    if (!renderer().guided()) return;
     const gpu::Device& device = renderer().device();
     shader::FrameParams frame = params(shot);
     renderer().reset_guiding();
@@ -153,7 +153,7 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
     const auto technique = static_cast<Technique>(cvars()->pt_nee);
     gpu::FrameCommands commands(device);
     commands.begin();
-    tracer.record(commands, {technique, features, false}, params, paths,
+    tracer.record(commands, {technique, features, false, renderer().cdq_bits()}, params, paths,
                   renderer().technique()->samples_lights(), renderer().guiding().set());
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();

@@ -41,6 +41,10 @@ public:
     Scene* scene() { return scene_.get(); }
     LightTechnique* technique() { return technique_.get(); }
     Guiding& guiding() { return guiding_; }
+    /// Size of the quadtrees that guide indirect rays; 0: none do.
+    uint32_t cdq_bits() const;
+    /// Whether the octree is kept: for the technique, or for the quadtrees.
+    bool guided() const;
     const Legend& legend() const { return legend_; }
     /// Radiance values so far that were not finite.
     uint32_t nonfinite_count() const;
@@ -51,10 +55,6 @@ private:
     glm::uvec2 picture_size() const;
     void resize(glm::uvec2 size);
     void select_technique(Technique technique);
-    /// Of the quadtrees that guide indirect rays; 0: none do.
-    uint32_t cdq_bits() const;
-    /// Whether the octree is kept: for the technique, or for the quadtrees.
-    bool guided() const;
     void update_guiding(gpu::FrameCommands& commands, size_t slot);
     bool use_ray_query() const;
     void follow_trace_setting();
