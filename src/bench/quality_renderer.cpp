@@ -31,7 +31,7 @@ bool changes_reference(std::string_view name) {
 std::filesystem::path folder_of(const QualityOptions& options, const std::string& level) {
     for (const std::filesystem::path& basedir : options.basedirs)
         if (std::filesystem::exists(basedir / "baseq2/maps" / (level + ".bsp"))) return basedir;
-    fail("{}: not in any of the folders (--basedir FOLDER adds one)", level);
+    fail("maps/{}.bsp is in none of the folders (--basedir FOLDER names one)", level);
 }
 
 std::uint64_t shader_hash(const std::string& technique) {
