@@ -141,6 +141,7 @@ protected:
         for (const Path& leaf : leaves_of(inner))
             samples[leaf] = {};
         samples["0"].kept = own;
+        samples["0"].count = static_cast<uint32_t>(own.size());
         samples["0"].previous_buckets = previous_buckets;
         samples["1"].kept = neighbour;
         const Caches caches = make_caches(inner, samples, limits);
@@ -242,6 +243,49 @@ TEST_F(VlcOracle, ManySamplesArePassedOverEvenly) {
     samples[2 * most - 2] = visible | 3;
     samples[2 * most] = visible | 4; // beyond the last
     EXPECT_EQ(cache(samples, {}, plenty).own, (Lights{1, 3}));
+}
+
+TEST_F(VlcOracle, LightsThatWereNotSeenGrowOlder) {
+    const InnerNodes inner{""};
+    const std::vector<uint32_t> own = seen({1, 2});
+    ByPath<LeafSamples> samples;
+    for (const Path& leaf : leaves_of(inner))
+        samples[leaf] = {};
+    samples["0"] = {own, 5, 1, {{2, 3}, {4, 1}, {8, 4}}, false};
+    samples["7"] = {{}, 0, 1, {{4, 1}}, false}; // no samples in it and around it
+    CacheLimits limits = plenty;
+    limits.persist = 4;
+    Caches caches = make_caches(inner, samples, limits);
+    EXPECT_EQ(caches.by_leaf.at("0").ages, (Ages{{1, 0}, {2, 0}, {4, 2}})); // 8 is too old
+    EXPECT_EQ(caches.by_leaf.at("7").ages, (Ages{{4, 1}}));
+
+    // What was learned in a larger leaf is forgotten after a quarter of the time.
+    samples["0"].inherited = true;
+    caches = make_caches(inner, samples, limits);
+    EXPECT_EQ(caches.by_leaf.at("0").ages, (Ages{{1, 0}, {2, 0}, {4, 4}}));
+
+    limits.persist = 0;
+    caches = make_caches(inner, samples, limits);
+    EXPECT_EQ(caches.by_leaf.at("0").ages, (Ages{{1, 0}, {2, 0}}));
+    EXPECT_TRUE(caches.by_leaf.at("7").buckets.empty());
+}
+
+TEST_F(VlcOracle, LightsThatWereNotSeenMustAllHaveRoom) {
+    const InnerNodes inner{""};
+    CacheLimits limits = plenty;
+    limits.persist = 4;
+    limits.vlc_capacity = 4 * 8 * 2; // two buckets of four for each leaf: room for 5.3 lights
+    const std::vector<uint32_t> own = seen({1, 2, 3});
+    for (const uint32_t before : {2u, 3u}) {
+        ByPath<LeafSamples> samples;
+        for (const Path& leaf : leaves_of(inner))
+            samples[leaf] = {};
+        samples["0"] = {own, 3, 1, {}, false};
+        for (uint32_t light = 0; light < before; ++light)
+            samples["0"].previous[10 + light] = 0;
+        const Caches caches = make_caches(inner, samples, limits);
+        EXPECT_EQ(caches.by_leaf.at("0").ages.size(), before == 2 ? 5u : 3u);
+    }
 }
 
 } // namespace

@@ -162,6 +162,7 @@ Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
         const uint32_t number = numbers.leaf(leaf);
         const std::string where = name(leaf, numbers);
         check(where, "count", 0, seen.at(LEAF_COUNT, 1, number));
+        check(where, "ray samples", 0, seen.at(LEAF_RAYS, 1, number));
         check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, 1, number));
         check(where, "source", old_numbers.leaf(source), seen.at(LEAF_SOURCE, 1, number));
         for (int face = 0; face < 6; ++face)
@@ -255,6 +256,12 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
             found.add(fmt::format("{}: cache: expected {} buckets at {} of old {}, seen {} at {}",
                                   name(leaf, numbers), want.y, want.x, name(source, old_numbers),
                                   got.y, got.x));
+        for (uint32_t word = 0; word < 4; ++word)
+            if (seen.at(LEAF_CDQ, 4, to, word) != seen_old.at(LEAF_CDQ, 4, from, word))
+                found.add(fmt::format("{}: quadtree word {}: expected {:#x} of old {}, seen {:#x}",
+                                      name(leaf, numbers), word,
+                                      seen_old.at(LEAF_CDQ, 4, from, word),
+                                      name(source, old_numbers), seen.at(LEAF_CDQ, 4, to, word)));
         const uint32_t cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size()) +
                                 (leaf.size() > source.size() ? LEAF_INHERITED : 0);
         if (seen.at(LEAF_CACHED, 1, to) != cached)

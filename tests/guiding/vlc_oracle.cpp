@@ -120,8 +120,12 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
     const uint32_t most_buckets = std::min(most_table_buckets(limits.bucket), quota);
 
     for (auto& [leaf, cache] : caches.by_leaf) {
-        // Merge with the neighbours' lights.
+        // Where no surface was seen no cache is made, unless there is one to keep.
         const LeafSamples& leaf_samples = samples.at(leaf);
+        if (leaf_samples.count == 0 && (limits.persist == 0 || leaf_samples.previous_buckets == 0))
+            continue;
+
+        // Merge with the neighbours' lights.
         Ages lights;
         uint32_t entries = 0;
         uint64_t samples_near = leaf_samples.count;
