@@ -16,14 +16,22 @@ shared uint too_full; // a power of two is set if there cannot be that few bucke
 shared uint lights;
 shared uint cache_first;
 
+/// The neighbour beyond a face, if this frame takes over its lights.
+uint find_neighbour(uint leaf, uint face) {
+    if (((settings.merge_faces >> face) & 1u) == 0u) return NONE;
+    return old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + face];
+}
+
 /// Looks up where the lists are: the leaf's own is list 0, its neighbours' are the next six. A subgroup may have fewer
 /// lanes than there are lists.
+/// A leaf without samples keeps what it has: its neighbours' lights are for leaves that use them.
 void find_lists(uint leaf) {
+    const bool used = old_leaf_count(leaf) > 0u;
     for (uint list = gl_LocalInvocationID.x; list < LISTS; list += LANES) {
         uint owner = leaf;
-        if (list > 0u) owner = settings.merge != 0u ? old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + list - 1u] : NONE;
+        if (list > 0u) owner = find_neighbour(leaf, list - 1u);
         if (owner != NONE) atomicAdd(samples, old_leaf_count(owner));
-        list_length[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
+        list_length[list] = owner == NONE || !used ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
         list_first[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, 2u, owner)];
     }
 }
@@ -41,18 +49,10 @@ void insert_old_entry(uint table_buckets, uint entry, uint older) {
     if (age <= settings.persist) table_insert(table_buckets, entry & VLC_ID_MASK, age);
 }
 
-void insert_old_cache(uint table_buckets, uint first, uint buckets, uint count, uint older) {
-    const uint lane = gl_LocalInvocationID.x;
-    if (buckets == 1u) { // has no gaps: lanes share it
-        for (uint i = lane; i < count; i += LANES) insert_old_entry(table_buckets, old_caches[first + i], older);
-        return;
-    }
-    for (uint bucket = lane; bucket < buckets; bucket += LANES) {
-        for (uint i = 0u; i < settings.bucket; ++i) {
-            const uint entry = old_caches[first + bucket * settings.bucket + i];
-            if (entry == NONE) break;
-            insert_old_entry(table_buckets, entry, older);
-        }
+void insert_old_cache(uint table_buckets, uint first, uint buckets, uint older) {
+    for (uint slot = gl_LocalInvocationID.x; slot < buckets * settings.bucket; slot += LANES) {
+        const uint entry = old_caches[first + slot];
+        if (entry != NONE) insert_old_entry(table_buckets, entry, older);
     }
 }
 
@@ -105,7 +105,7 @@ void main() {
         for (uint i = lane; i < list_length[list]; i += LANES)
             table_insert(table_buckets, light_samples[list_first[list] + i], 0u);
     if (keep && lights_before > 0u)
-        insert_old_cache(table_buckets, first_before, buckets_before, lights_before,
+        insert_old_cache(table_buckets, first_before, buckets_before,
                          ageing((cached_before & LEAF_INHERITED) != 0u));
     barrier();
 
@@ -130,6 +130,9 @@ void main() {
     }
     barrier();
     if (buckets == 0u) return;
+    for (uint slot = lane; slot < buckets * settings.bucket; slot += LANES) vlc_lights[cache_first + slot] = NONE;
+    memoryBarrierBuffer();
+    barrier();
     const uint joined = table_buckets / buckets;
     for (uint i = lane; i < table_buckets; i += LANES) {
         // This part of a bucket comes after the parts before it. Buckets lie by remainder, which is the reversed key.
@@ -138,7 +141,5 @@ void main() {
         const uint bucket_first = cache_first + remainder * settings.bucket;
         const uint before = joined_size(i - part, i);
         for (uint k = 0u; k < sizes[i]; ++k) vlc_lights[bucket_first + before + k] = entry_of(table[i * settings.bucket + k]);
-        const uint end = before + sizes[i];
-        if (part + 1u == joined && end < settings.bucket) vlc_lights[bucket_first + end] = NONE;
     }
 }

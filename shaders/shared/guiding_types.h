@@ -75,7 +75,7 @@ struct GuidingSettings {
     uint collapse;     // an inner node of eight leaves that have fewer together is collapsed
     uint bucket;       // most lights in a bucket
     uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
-    uint merge;        // 1: caches take over the lights of their neighbours
+    uint merge_faces;  // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
     uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;   // of a directional quadtree in a frame, at most
     float margin;      // how far a migration must pay off

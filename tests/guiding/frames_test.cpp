@@ -103,7 +103,7 @@ TEST_F(GuidingFrames, SettingsChangeBetweenFrames) {
     frames(8, 6000, here);
     for (const uint32_t small_bucket : {1u, 32u, 24u}) {
         settings_.small_bucket = small_bucket;
-        settings_.merge = 1 - settings_.merge;
+        settings_.merge_faces = 0x3f - settings_.merge_faces;
         settings_.split += 7;
         settings_.persist = small_bucket / 4;
         ASSERT_FALSE(guiding().prepare({glm::uvec2(128), settings_}));
@@ -128,8 +128,13 @@ TEST_F(GuidingFrames, FramesInFlight) {
 TEST_F(GuidingFrames, LightsStayWhileTheTreeChanges) {
     start(settings_with(16, 4), 128);
     for (const float x : {0.0f, 50.0f, 2000.0f}) {
-        frames(8, 3000, [&](Dice& dice) { return floor_at(dice, {x, 0.0f, 0.0f}); });
-        if (HasFatalFailure()) return;
+        for (int i = 0; i < 8; ++i) {
+            // Lower and upper neighbours take turns.
+            settings_.merge_faces = i % 2 == 0 ? 0b010101 : 0b101010;
+            ASSERT_FALSE(guiding().prepare({glm::uvec2(128), settings_}));
+            frames(1, 3000, [&](Dice& dice) { return floor_at(dice, {x, 0.0f, 0.0f}); });
+            if (HasFatalFailure()) return;
+        }
         uint32_t oldest = 0;
         for (const auto& [path, cache] : caches_.by_leaf)
             for (const auto& [light, age] : cache.ages)

@@ -152,7 +152,7 @@ void GuidingTest::ask_oracle() {
         state_.inner, counts,
         {settings_.split, settings_.collapse, header.node_capacity, shader::OCTREE_MAX_DEPTH});
     caches_ = make_caches(state_.inner, samples,
-                          {settings_.bucket, settings_.small_bucket, settings_.merge != 0,
+                          {settings_.bucket, settings_.small_bucket, settings_.merge_faces,
                            header.vlc_capacity, settings_.persist});
 }
 
@@ -211,7 +211,7 @@ shader::GuidingSettings settings_with(uint32_t bucket, uint32_t persist) {
     settings.collapse = 20;
     settings.bucket = bucket;
     settings.small_bucket = bucket * 3 / 4;
-    settings.merge = 1;
+    settings.merge_faces = 0x3f;
     settings.persist = persist;
     return settings;
 }

@@ -162,7 +162,7 @@ protected:
     bool left_out_ = false;
 };
 
-constexpr CacheLimits plenty{4, 3, true, 1u << 20};
+constexpr CacheLimits plenty{4, 3, 0x3f, 1u << 20};
 
 TEST_F(VlcOracle, OnlyVisibleSamplesCountAndOnlyOnce) {
     const Cache found =
@@ -181,7 +181,7 @@ TEST_F(VlcOracle, NeighboursAreTakenInUnlessMergingIsOff) {
     EXPECT_EQ(merged.own, (Lights{8}));
     EXPECT_EQ(merged.buckets, (Buckets{{1, 8}}));
     CacheLimits alone = plenty;
-    alone.merge = false;
+    alone.merge_faces = 0;
     EXPECT_EQ(cache(seen({8}), seen({1, 8}), alone).buckets, (Buckets{{8}}));
 }
 

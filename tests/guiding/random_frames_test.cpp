@@ -214,7 +214,7 @@ TEST_F(GuidingTest, HysteresisHoldsBucketsThatWouldBeMerged) {
 
 TEST_F(GuidingTest, WithoutMergingNeighboursDoNotMatter) {
     shader::GuidingSettings settings = settings_with(16);
-    settings.merge = 0;
+    settings.merge_faces = 0;
     start(settings);
     Dice dice(16);
     RandomLights lights;
@@ -281,7 +281,7 @@ TEST_F(GuidingTest, LightsStayForSomeFrames) {
 
 TEST_F(GuidingTest, LightsStayWithoutNeighbours) {
     shader::GuidingSettings settings = settings_with(16, 5);
-    settings.merge = 0;
+    settings.merge_faces = 0;
     start(settings);
     Dice dice(18);
     random_frame(dice, random_tree(dice, 200, 0.3), {});
@@ -310,6 +310,38 @@ TEST_F(GuidingTest, LightsStayInATreeThatUsesAllNodes) {
     RandomLights lights;
     lights.most = 10;
     random_frame(dice, random_tree(dice, guiding().header().node_capacity, 0.1), lights);
+}
+
+TEST_F(GuidingTest, LightsStayIfAllJustHaveRoom) {
+    // Two thirds of a table of 32 buckets are 512 lights.
+    shader::GuidingSettings settings = settings_with(24, 5);
+    settings.merge_faces = 0;
+    start(settings);
+    ASSERT_EQ(table_buckets(shader::VLC_TABLE_SIZE, 24), 32u);
+    Dice dice(20);
+    state_ = random_samples(dice, {""}, {}, settings, guiding().header());
+    uint32_t at = 0, before = 108; // lights in the cache of the leaf; 400 others are seen
+    for (auto& [path, leaf] : state_.leaves) {
+        leaf.first_sample = at;
+        leaf.count = leaf.room = 400;
+        for (uint32_t light = 0; light < 400; ++light)
+            state_.samples[at + light] = light | shader::LIGHT_SAMPLE_VISIBLE;
+        leaf.inherited = false;
+        leaf.first_light = at;
+        leaf.cached.clear();
+        Buckets buckets(16);
+        for (uint32_t light = 1000; light < 1000 + before; ++light) {
+            leaf.cached[light] = 1;
+            buckets[light % 16].insert(light);
+        }
+        store_cache(leaf, buckets, 24, state_.caches);
+        at += 400;
+        ++before;
+    }
+    frame();
+    if (HasFatalFailure()) return;
+    EXPECT_EQ(caches_.by_leaf.at("4").ages.size(), 512u);
+    EXPECT_EQ(caches_.by_leaf.at("5").ages.size(), 400u);
 }
 
 } // namespace

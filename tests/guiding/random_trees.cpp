@@ -63,17 +63,22 @@ void random_cache(Dice& dice, const RandomLights& lights, const shader::GuidingS
         // Some are too old, as if pt_vlc_persist had become lower.
         leaf.cached[light] = dice.below(std::min(settings.persist + 3, shader::VLC_OLDEST));
     }
-    for (uint32_t b = 0; b < count; ++b) {
-        uint32_t at = leaf.first_light + b * settings.bucket;
-        for (const uint32_t light : buckets[b])
-            caches[at++] = light + (leaf.cached.at(light) << shader::VLC_AGE_SHIFT);
-        if (buckets[b].size() < settings.bucket) caches[at] = shader::NONE;
-    }
-    leaf.buckets = count;
+    store_cache(leaf, buckets, settings.bucket, caches);
     leaf.inherited = dice.chance(0.2);
 }
 
 } // namespace
+
+void store_cache(LeafState& leaf, const Buckets& buckets, uint32_t bucket_size,
+                 std::vector<uint32_t>& caches) {
+    for (size_t b = 0; b < buckets.size(); ++b) {
+        size_t at = leaf.first_light + b * bucket_size;
+        std::fill_n(caches.begin() + static_cast<ptrdiff_t>(at), bucket_size, shader::NONE);
+        for (const uint32_t light : buckets[b])
+            caches.at(at++) = light + (leaf.cached.at(light) << shader::VLC_AGE_SHIFT);
+    }
+    leaf.buckets = static_cast<uint32_t>(buckets.size());
+}
 
 InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep) {
     InnerNodes inner{""};

@@ -50,6 +50,11 @@ TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights
                          const shader::GuidingSettings& settings,
                          const shader::GuidingHeader& header);
 
+/// Writes a leaf's cache of the lights `cached` from `first_light` on into the buffer of all
+/// caches.
+void store_cache(LeafState& leaf, const Buckets& buckets, uint32_t bucket_size,
+                 std::vector<uint32_t>& caches);
+
 /// One random sample out of `lights`.
 uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t first,
                              uint32_t different);

@@ -225,12 +225,12 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
         ranges.push_back({first, end, leaf});
         if (end > lights.size()) continue; // reported with the ranges
 
-        // Ids in their order, with their ages; after them NONE where there is room for it.
+        // Ids in their order, with their ages, then NONE.
         for (uint32_t b = 0; b < buckets; ++b) {
             std::vector<uint32_t> want;
             for (const uint32_t light : cache.buckets[b])
                 want.push_back(light + (cache.ages.at(light) << VLC_AGE_SHIFT));
-            if (want.size() < bucket) want.push_back(NONE);
+            want.resize(bucket, NONE);
             const std::span<const uint32_t> got = lights.subspan(first + b * bucket, want.size());
             if (!std::equal(want.begin(), want.end(), got.begin()))
                 found.add(fmt::format("{}: bucket {} of {}: expected {}, seen {}", where, b,

@@ -135,10 +135,11 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
             entries += static_cast<uint32_t>(seen.size());
         };
         take_in(cache.own);
-        for (int face = 0; face < 6 && limits.merge; ++face) {
+        for (int face = 0; face < 6; ++face) {
+            if ((limits.merge_faces >> face & 1u) == 0) continue;
             const std::optional<Path> neighbour = neighbour_of(inner, leaf, face);
             if (!neighbour) continue;
-            take_in(caches.by_leaf.at(*neighbour).own);
+            if (leaf_samples.count > 0) take_in(caches.by_leaf.at(*neighbour).own);
             samples_near += samples.at(*neighbour).count;
         }
 

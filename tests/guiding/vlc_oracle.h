@@ -27,7 +27,7 @@ using Buckets = std::vector<Lights>;
 struct CacheLimits {
     uint32_t bucket;       // most lights in a bucket
     uint32_t small_bucket; // the same where there would be fewer buckets than in the frame before
-    bool merge;            // take over neighbours' lights
+    uint32_t merge_faces;  // bit i: take over lights of the neighbour beyond face i
     uint32_t vlc_capacity; // light ids that fit in all caches
     uint32_t persist = 0;  // frames that lights stay after they were seen; 0: as in the paper
 };

@@ -113,7 +113,7 @@ std::string VkptRenderer::describe_guiding() const {
     const Guiding::Tree& tree = guiding_.tree();
     // There are two trees, the one before and the one of the frame.
     const uint64_t trees = 2 * (tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes());
-    const uint64_t samples = guiding_.samples().bytes(), caches = guiding_.vlc_lights().bytes();
+    const uint64_t samples = guiding_.samples().bytes(), caches = 2 * tree.caches.bytes();
     const uint64_t total = guiding_.memory_bytes();
     std::string text = "guiding memory, bytes";
     const auto row = [&](std::string_view name, uint64_t bytes) {
@@ -123,8 +123,8 @@ std::string VkptRenderer::describe_guiding() const {
     row("octree cells, twice", 2 * tree.cells.bytes());
     row("octree leaves, twice", 2 * tree.leaves.bytes());
     row("light samples", samples);
-    row("light caches", caches);
-    row("plan and lists", total - trees - samples - caches);
+    row("light caches, twice", caches);
+    row("rays, plan and lists", total - trees - samples - caches);
     row("all", total);
     const shader::GuidingHeader& header = guiding_.header();
     text += fmt::format("\n  room for {} inner nodes, {} light samples, {} light ids in caches",

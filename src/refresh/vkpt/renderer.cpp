@@ -134,7 +134,7 @@ bool VkptRenderer::prepare_ray_query() {
 }
 
 uint32_t VkptRenderer::cdq_bits() const {
-    return Guiding::options(path_tracer_.size()).cdq_bits;
+    return Guiding::options(path_tracer_.size(), 0).cdq_bits;
 }
 
 bool VkptRenderer::guided() const {
@@ -143,7 +143,7 @@ bool VkptRenderer::guided() const {
 
 void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
     if (!guided()) return;
-    Guiding::Options options = Guiding::options(path_tracer_.size());
+    Guiding::Options options = Guiding::options(path_tracer_.size(), frame_number_);
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
     guiding_.record(commands, slot);

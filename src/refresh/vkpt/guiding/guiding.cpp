@@ -30,6 +30,11 @@ constexpr uint64_t cache_words_per_leaf = shader::VLC_LARGEST_BUCKET;
 /// leaves that expect more than they get.
 constexpr uint64_t samples_per_pixel = 4;
 
+/// Faces in the order of LEAF_NEIGHBOURS: all, and opposite ones in turn.
+constexpr uint32_t all_faces = 0b111111, half_of_faces[] = {0b010101, 0b101010};
+/// Where lights stay for so many frames it is enough to ask half of the neighbours in each.
+constexpr int persist_for_half = 4;
+
 uint32_t scaled(int threshold, double factor, uint32_t least) {
     return std::max(static_cast<uint32_t>(std::min(std::round(threshold * factor), 2e9)), least);
 }
@@ -71,7 +76,7 @@ Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, siz
     merge_ = make("vlc_merge");
 }
 
-Guiding::Options Guiding::options(glm::uvec2 picture_size) {
+Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame) {
     const double pixels = static_cast<double>(picture_size.x) * picture_size.y;
     const double factor = pixels / (1920.0 * 1080.0) * static_cast<double>(cvars()->pt_oct_scale);
     const auto bucket = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
@@ -89,7 +94,9 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size) {
     if (cvars()->pt_guide == cvar_choice("pt_guide", "cdq"))
         options.cdq_bits = 32 * (static_cast<uint32_t>(cvars()->pt_cdq_bits) + 1);
     options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
-    options.settings.merge = cvars()->pt_vlc_merge != 0 ? 1 : 0;
+    options.settings.merge_faces = cvars()->pt_vlc_merge != 0 ? all_faces : 0;
+    if (cvars()->pt_vlc_persist >= persist_for_half)
+        options.settings.merge_faces &= half_of_faces[frame % 2];
     return options;
 }
 

@@ -30,7 +30,8 @@ public:
     };
     /// Options from the variables. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080
     /// pixels: they follow the number of pixels, and pt_oct_scale.
-    static Options options(glm::uvec2 picture_size);
+    /// `frame` counts frames: where lights persist, neighbours take turns.
+    static Options options(glm::uvec2 picture_size, uint64_t frame);
     /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
     /// surface samples.
     static uint32_t node_capacity(const Options& options);
