@@ -27,7 +27,7 @@ protected:
         gpu::FrameCommands commands(device);
         commands.begin();
         tracer.record(commands, {Technique::uniform, renderer().scene()->features(), ray_query},
-                      params(shot), 2, true);
+                      params(shot), 2, true, renderer().guiding().set());
         commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
         commands.finish();
         return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,
