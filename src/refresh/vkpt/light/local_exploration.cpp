@@ -14,8 +14,9 @@ namespace {
 /// Lights of a cluster are told apart by their distances from its box; inside it and close by they
 /// count as this far away.
 constexpr float least_distance = 32.0f; // map units
-/// Part of a table that is spread evenly over its lights.
-constexpr float even_share = 0.1f;
+/// Half of a table is spread evenly over its lights: a small lamp lights what is beside it as much
+/// as a large one does.
+constexpr float even_share = 1.0f; // of the sum of the other weights
 
 float weight(const shader::Light& light, const LightLister& lister, size_t cluster) {
     const glm::vec3 center = light.v0 + (light.e1 + light.e2) / 3.0f;
