@@ -1,7 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Asks guiding/octree.glsl, as the path tracer does, for the leaves of surfaces, and stores one light sample for each.
-// Answers are the leaf of the cache and the leaf of the sample; there are as many as paths (pathtrace/frame.glsl).
+// Asks guiding/octree.glsl, as the path tracer does, for the leaves of surfaces, and stores one light
+// sample for each. Answers are the leaf of the cache and the leaf of the sample; there are as many as
+// paths (pathtrace/frame.glsl).
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/octree.glsl"
