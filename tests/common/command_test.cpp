@@ -208,12 +208,13 @@ TEST_F(CommandTest, VariablesAreShownSetResetAndToggled) {
     EXPECT_EQ(variables->pt_spp, 4);
     EXPECT_EQ(variables->fov, 100.0f);
     EXPECT_EQ(variables->vid_vsync, 0);
-    EXPECT_EQ(variables.get_text("pt_nee"), "uniform");
-    commands.execute_text("reset fov; toggle vid_vsync; toggle pt_spp 1 4 16; pt_nee 3");
+    EXPECT_EQ(variables.get_text("pt_nee"), technique_infos[1].name);
+    commands.execute_text("reset fov; toggle vid_vsync; toggle pt_spp 1 4 16; pt_nee " +
+                          std::to_string(std::size(technique_infos) - 1));
     EXPECT_EQ(variables->fov, 90.0f);
     EXPECT_EQ(variables->vid_vsync, 1);
     EXPECT_EQ(variables->pt_spp, 16);
-    EXPECT_EQ(variables.get_text("pt_nee"), "brute");
+    EXPECT_EQ(variables.get_text("pt_nee"), std::rbegin(technique_infos)->name);
     commands.execute_text("toggle pt_nee; toggle pt_spp 1 4 16; toggle vid_vsync");
     EXPECT_EQ(variables.get_text("pt_nee"), "sll");
     EXPECT_EQ(variables->pt_spp, 1);
