@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The octree over surface samples (paper, section 6.1): how an inner node is packed into 4 bytes, how a position
-// becomes a path from the root, and how a leaf's index follows from its node. Leaves hold no data here: what
-// belongs to them lies in arrays by leaf index (guiding_types.h).
+// The octree over surface samples (paper, section 6.1): how an inner node is packed into 4 bytes,
+// how a position becomes a path from the root, and how a leaf's index follows from its node. Leaves
+// hold no data here: what belongs to them lies in arrays by leaf index (guiding_types.h).
 #ifndef VIGIL_SHARED_OCTREE_H
 #define VIGIL_SHARED_OCTREE_H
 
@@ -9,15 +9,16 @@
 
 SHADER_BEGIN
 
-/// Levels below the root; the grid of smallest cells has 2^OCTREE_MAX_DEPTH cells along each axis. An inner node has
-/// a depth below this, so that cells in which all samples lie at one point are not split for ever.
+/// Levels below the root; the grid of smallest cells has 2^OCTREE_MAX_DEPTH cells along each axis.
+/// An inner node has a depth below this, so that cells in which all samples lie at one point are
+/// not split for ever.
 SHADER_CONST uint OCTREE_MAX_DEPTH = 16u;
 
 /// All eight children are leaves.
 SHADER_CONST uint OCTREE_ALL_LEAVES = 0xffu;
 
-/// Bits 0..7: which children are leaves. Bits 8..31: index of the first inner child; the inner children follow each
-/// other in the order of their child number, without gaps.
+/// Bits 0..7: which children are leaves. Bits 8..31: index of the first inner child; the inner
+/// children follow each other in the order of their child number, without gaps.
 SHADER_FN uint octree_node(uint leaf_mask, uint first_inner) {
     return leaf_mask | (first_inner << 8u);
 }
@@ -31,33 +32,37 @@ SHADER_FN uint octree_inner_child(uint node, uint child) {
     return (node >> 8u) + uint(bitCount(~node & ((1u << child) - 1u)));
 }
 
-/// Leaves are numbered by their parent: 8 * node + child. Numbers whose child is an inner node are not used.
+/// Leaves are numbered by their parent: 8 * node + child. Numbers whose child is an inner node are
+/// not used.
 SHADER_FN uint octree_leaf(uint node, uint child) {
     return 8u * node + child;
 }
 
-/// Smallest cell along an axis, for a distance from the root's corner in smallest cells. A distance that is no number
-/// counts as 0: the conversion of such a value is undefined in C++ and in GLSL.
+/// Smallest cell along an axis, for a distance from the root's corner in smallest cells. A distance
+/// that is no number counts as 0: the conversion of such a value is undefined in C++ and in GLSL.
 SHADER_FN uint octree_coordinate(float cells) {
     const float last = float((1u << OCTREE_MAX_DEPTH) - 1u);
     return cells > 0.0f ? uint(min(cells, last)) : 0u;
 }
 
-/// Smallest cell that holds a position. `scale` is cells per map unit. Positions outside the root's cube count as
-/// being in its outermost cells.
+/// Smallest cell that holds a position. `scale` is cells per map unit. Positions outside the root's
+/// cube count as being in its outermost cells.
 SHADER_FN uvec3 octree_grid(vec3 position, vec3 corner, float scale) {
     const vec3 cells = (position - corner) * scale;
     return uvec3(octree_coordinate(cells.x), octree_coordinate(cells.y),
                  octree_coordinate(cells.z));
 }
 
-/// Which child of a node at `depth` (0: the root) holds a smallest cell: bit 0 is x, bit 1 y, bit 2 z.
+/// Which child of a node at `depth` (0: the root) holds a smallest cell: bit 0 is x, bit 1 y, bit 2
+/// z.
 SHADER_FN uint octree_child(uvec3 grid, uint depth) {
     const uint shift = OCTREE_MAX_DEPTH - 1u - depth;
-    return ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u) | (((grid.z >> shift) & 1u) << 2u);
+    return ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u) |
+           (((grid.z >> shift) & 1u) << 2u);
 }
 
-/// The cube of a node or leaf: its lowest corner among the smallest cells, and its depth (the root's is 0).
+/// The cube of a node or leaf: its lowest corner among the smallest cells, and its depth (the
+/// root's is 0).
 struct OctreeCell {
     uvec3 corner;
     uint depth;

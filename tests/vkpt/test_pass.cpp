@@ -44,7 +44,8 @@ void TestPass::run(glm::uvec3 groups, glm::uvec2 push) {
     gpu::DescriptorSet own_set(device_, own_types, unused, "test");
     for (uint32_t i = 0; i < buffers_.size(); ++i)
         own_set.bind(i, buffers_[i]);
-    const auto [scene_layout, technique_layout, guiding_layout] = renderer_.path_tracer().set_layouts();
+    const auto [scene_layout, technique_layout, guiding_layout] =
+        renderer_.path_tracer().set_layouts();
     const gpu::Handle<VkPipelineLayout> layout = gpu::make_pipeline_layout(
         device_, std::array{scene_layout, technique_layout, guiding_layout, own_set.layout()});
 
@@ -62,8 +63,8 @@ void TestPass::run(glm::uvec3 groups, glm::uvec2 push) {
     device_.wait_idle();
     gpu::run_now(device_, [&](VkCommandBuffer commands) {
         const std::array sets{renderer_.path_tracer().scene_set(),
-                              renderer_.path_tracer().technique_set(),
-                              renderer_.guiding().set(), own_set.handle()};
+                              renderer_.path_tracer().technique_set(), renderer_.guiding().set(),
+                              own_set.handle()};
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0,
                                 static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
         pipeline.bind(commands);
