@@ -50,15 +50,7 @@ uint sample_count(Surface surface) { return leaves[leaf_word(LEAF_COUNT, 1u, fin
 uint bucket_count(Surface surface) { return leaves[leaf_word(LEAF_VLC, 2u, find_leaves(surface).cache) + 1u]; }
 
 uint cached_light_count(Surface surface) {
-    const uint cache = leaf_word(LEAF_VLC, 2u, find_leaves(surface).cache);
-    const uint first = leaves[cache];
-    const uint buckets = leaves[cache + 1u];
-    const uint size = uint(frame.cvars.pt_vlc_bucket);
-    uint count = 0u;
-    for (uint bucket = 0u; bucket < buckets; ++bucket) {
-        for (uint i = 0u; i < size && vlc_lights[first + bucket * size + i] != NONE; ++i) ++count;
-    }
-    return count;
+    return leaves[leaf_word(LEAF_CACHED, 1u, find_leaves(surface).cache)] & ~LEAF_INHERITED;
 }
 
 #endif

@@ -115,7 +115,7 @@ void move_sums(uvec4 tree, uint inner, uint leaf) {
     const float inner_sum = sum_of(removed) + sum_of(removed + 1u) + sum_of(removed + 2u) + sum_of(removed + 3u);
     const uint inserted = cdq_child(tree, leaf > removed ? leaf - 4u : leaf, 0u);
     const float part = 0.25 * sum_of(leaf);
-    // At most 16 values per lane: a lane has CDQ_BITS / LANES nodes, and no subgroup is smaller than 4.
+    // A lane has CDQ_BITS / LANES nodes, and work groups have 4 lanes at least.
     float moved[32];
     uint count = 0u;
     for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES) {

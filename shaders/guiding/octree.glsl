@@ -32,7 +32,7 @@ struct SurfaceLeaves {
     uint samples;
 };
 
-uint leaf_word(uint array, uint width, uint leaf) { return array * (8u * guiding.node_capacity) + width * leaf; }
+uint leaf_word(uint array, uint width, uint leaf) { return leaf_array_word(array, width, leaf, guiding.node_capacity); }
 
 /// Walks down from a node at `depth` to the leaf that holds a smallest cell.
 uint find_leaf(uint node, uint depth, uvec3 grid) {

@@ -37,8 +37,7 @@ layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; 
 
 uint leaf_capacity() { return 8u * header.node_capacity; }
 
-/// Index of a leaf's first word in an array of `width` words per leaf that begins at LEAF_`array`.
-uint leaf_word(uint array, uint width, uint leaf) { return array * leaf_capacity() + width * leaf; }
+uint leaf_word(uint array, uint width, uint leaf) { return leaf_array_word(array, width, leaf, header.node_capacity); }
 
 uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, 1u, leaf)]; }
 

@@ -35,6 +35,11 @@ SHADER_CONST uint LEAF_WORDS = 19u; // per leaf altogether
 
 SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
 
+/// Index of a leaf's first word in the array of `width` words per leaf that begins at LEAF_`array`.
+SHADER_FN uint leaf_array_word(uint array, uint width, uint leaf, uint node_capacity) {
+    return array * (8u * node_capacity) + width * leaf;
+}
+
 /// A light sample: light id, and this bit if the light was seen.
 SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
 /// What is stored when there was no light to sample; light ids are smaller.
@@ -86,9 +91,6 @@ struct GuidingSettings {
     uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;   // of a directional quadtree in a frame, at most
     float margin;      // how far a migration must pay off
-#ifdef __cplusplus
-    bool operator==(const GuidingSettings&) const = default;
-#endif
 };
 
 /// Counted anew each frame: the passes begin with all of it 0 (but the group counts' y and z, which

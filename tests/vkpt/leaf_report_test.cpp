@@ -146,6 +146,23 @@ TEST_F(GuidingText, SaysWhenThereIsNothingToTell) {
     EXPECT_TRUE(says("nothing under the crosshair")) << renderer().describe_leaf();
 }
 
+// While a technique without caches guides rays, caches grow old unseen: what they name may be gone.
+TEST_F(GuidingText, CachesAreOfTheTechniqueThatIsInUse) {
+    set("pt_guide", "cdq");
+    render(3);
+    set("pt_nee", "sll");
+    render(4);
+    set("pt_nee", "vlc");
+    for (int frame = 0; frame < 3; ++frame) {
+        render(1);
+        const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
+        for (const shader::PrimaryHit& hit : lit_hits())
+            for (const auto& bucket : tree.leaf_at(hit.position, 32).buckets)
+                for (const uint32_t light : bucket)
+                    ASSERT_LT(light, renderer().scene()->lights().lights().size()) << frame;
+    }
+}
+
 TEST_F(GuidingText, MemoryAddsUp) {
     render(2);
     std::istringstream lines(renderer().describe_guiding());

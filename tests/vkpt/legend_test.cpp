@@ -16,7 +16,7 @@ namespace vigil::vkpt {
 namespace {
 
 LegendSubject subject_of(int view, bool guided) {
-    return {view, guided ? Technique::vlc : Technique::sll, true, guided, {1280, 720}};
+    return {view, guided ? Technique::vlc : Technique::sll, true, guided, {1280, 720}, guided};
 }
 
 double linear_from_srgb(float value) {

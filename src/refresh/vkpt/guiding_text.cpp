@@ -3,9 +3,8 @@
 // under the crosshair with the lights of its cache (`vlcinfo`).
 #include "refresh/vkpt/guiding/guiding_counts.h"
 #include "refresh/vkpt/guiding/leaf_report.h"
+#include "refresh/vkpt/light/light_power.h"
 #include "refresh/vkpt/renderer.h"
-#include "shared/brdf.h"
-#include "shared/triangle_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +25,6 @@ double mebibytes(uint64_t bytes) {
 
 std::string count_text(size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-/// Power of a light's lit side, luminance: radiance times area times pi.
-float power_of(const shader::Light& light) {
-    return shader::PI * shader::light_area(light) * shader::luminance(light.radiance);
 }
 
 /// Ids of the lights of an instance that is not the world: `count` from `first`.
@@ -65,7 +59,7 @@ std::string owner_text(const Scene& scene, uint32_t id, size_t dynamic_lights) {
 std::string lights_text(const Scene& scene, std::vector<uint32_t> ids, size_t dynamic_lights) {
     const std::span<const shader::Light> lights = scene.lights().lights();
     const auto power = [&](uint32_t id) {
-        return id < lights.size() ? power_of(lights[id]) : 0.0f;
+        return id < lights.size() ? shader::PI * light_power(lights[id]) : 0.0f;
     };
     std::ranges::stable_sort(ids, std::greater{}, power);
     std::string text;

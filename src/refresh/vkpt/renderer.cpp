@@ -123,6 +123,14 @@ void VkptRenderer::follow_trace_setting() {
             device_.properties().deviceName);
 }
 
+void VkptRenderer::follow_guide_setting() {
+    if (cvars()->pt_guide == guide_setting_) return;
+    guide_setting_ = cvars()->pt_guide;
+    if (guide_setting_ == cvar_choice("pt_guide", "cdq") && !device_.features().subgroup_sums)
+        log_warning("pt_guide cdq: {} lacks subgroup arithmetic; rays are drawn by the BRDF alone",
+                    device_.properties().deviceName);
+}
+
 bool VkptRenderer::prepare_ray_query() {
     try {
         return scene_->prepare_ray_query(use_ray_query());
@@ -134,7 +142,10 @@ bool VkptRenderer::prepare_ray_query() {
 }
 
 uint32_t VkptRenderer::cdq_bits() const {
-    return Guiding::options(path_tracer_.size(), 0).cdq_bits;
+    // Adding up what rays brought takes subgroup operations that a device may lack.
+    if (cvars()->pt_guide != cvar_choice("pt_guide", "cdq") || !device_.features().subgroup_sums)
+        return 0;
+    return 32 * (static_cast<uint32_t>(cvars()->pt_cdq_bits) + 1);
 }
 
 bool VkptRenderer::guided() const {
@@ -144,6 +155,7 @@ bool VkptRenderer::guided() const {
 void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
     if (!guided()) return;
     Guiding::Options options = Guiding::options(path_tracer_.size(), frame_number_);
+    options.cdq_bits = cdq_bits();
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
     guiding_.record(commands, slot);
@@ -188,6 +200,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         // Bring scene and technique to this frame.
         select_technique(static_cast<Technique>(cvars()->pt_nee));
         follow_trace_setting();
+        follow_guide_setting();
         rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
         rebind_ |= prepare_ray_query();
         rebind_ |= technique_->prepare({scene_->lights(), frame.view.origin});
@@ -219,7 +232,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
                             technique_->samples_lights(), guiding_.set());
         legend_.record(commands, path_tracer_.display(),
                        {cvars()->pt_view, technique_id_, params.samples_lights != 0,
-                        params.guided != 0, path_tracer_.size()});
+                        params.guided != 0, path_tracer_.size(), technique_->uses_guiding()});
         ++accumulated_;
         shown_.guided = params.guided != 0;
         shown_.bucket_size = static_cast<uint32_t>(params.cvars.pt_vlc_bucket);

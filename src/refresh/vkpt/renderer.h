@@ -58,6 +58,7 @@ private:
     void update_guiding(gpu::FrameCommands& commands, size_t slot);
     bool use_ray_query() const;
     void follow_trace_setting();
+    void follow_guide_setting();
     bool prepare_ray_query();
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
@@ -85,6 +86,7 @@ private:
     Technique technique_id_ = Technique::sll;
     bool rebind_ = true;
     int trace_setting_ = -1;        // pt_trace as it was followed last
+    int guide_setting_ = -1;        // pt_guide, the same
     bool ray_query_failed_ = false; // with this level and setting
 
     uint64_t frame_number_ = 0;

@@ -63,10 +63,10 @@ void add_sample_classes(LegendContent& content, const LegendSubject& subject) {
         content.classes.push_back({shader::VIEW_LIT_SAMPLE, "contributed"});
         return;
     }
-    const std::string by = subject.guided ? "cache" : std::string(name_of(subject.technique));
+    const std::string by = subject.caches ? "cache" : std::string(name_of(subject.technique));
     content.classes.push_back({shader::VIEW_CACHE, by});
     content.classes.push_back({shader::VIEW_CACHE_ZERO, by + ", contributed nothing"});
-    if (!subject.guided) return; // the others do not explore
+    if (!subject.caches) return; // the others do not explore
     content.classes.push_back({shader::VIEW_EXPLORED, "exploration"});
     content.classes.push_back({shader::VIEW_EXPLORED_ZERO, "exploration, contributed nothing"});
 }

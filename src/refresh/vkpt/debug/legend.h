@@ -22,6 +22,7 @@ struct LegendSubject {
     bool samples_lights = false; // as in FrameParams
     bool guided = false;
     glm::uvec2 picture_size{0, 0};
+    bool caches = false; // the technique draws from light caches, and explores
     bool operator==(const LegendSubject&) const = default;
 };
 

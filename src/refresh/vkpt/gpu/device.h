@@ -35,6 +35,7 @@ struct DeviceFeatures {
     bool ray_query = false;
     bool is_cpu = false;
     uint32_t subgroup_size = 0;
+    bool subgroup_sums = false; // arithmetic and ballot in compute shaders
     uint32_t shared_memory_bytes = 0;
     uint64_t max_storage_buffer_bytes = 0;
     float timestamp_period_ns = 0.0f; // 0: no timestamps on this queue

@@ -91,8 +91,6 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame) {
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
     options.settings.migrations = static_cast<uint32_t>(cvars()->pt_cdq_migrations);
     options.settings.margin = cvars()->pt_cdq_margin;
-    if (cvars()->pt_guide == cvar_choice("pt_guide", "cdq"))
-        options.cdq_bits = 32 * (static_cast<uint32_t>(cvars()->pt_cdq_bits) + 1);
     options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
     options.settings.merge_faces = cvars()->pt_vlc_merge != 0 ? all_faces : 0;
     if (cvars()->pt_vlc_persist >= persist_for_half)
@@ -114,9 +112,10 @@ bool Guiding::prepare(const Options& options) {
     const bool fits = header_.node_capacity == node_capacity(options) &&
                       options_.picture_size == options.picture_size &&
                       (options_.cdq_bits > 0) == (options.cdq_bits > 0);
-    // Caches of the frame before lie in buckets of their own size, quadtrees have their own.
+    // What the frame before left must fit: buckets and quadtrees of the same size, and caches that
+    // were made in it.
     restart_ |= options_.settings.bucket != options.settings.bucket ||
-                options_.cdq_bits != options.cdq_bits;
+                options_.cdq_bits != options.cdq_bits || options_.lights != options.lights;
     options_ = options;
     if (options_.cdq_bits > 0 && !cdq_adapt_[options_.cdq_bits / 32 - 1]) {
         const std::array constants{gpu::Specialization{0, device_.features().subgroup_size},
@@ -186,10 +185,13 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     const glm::uvec2 root = shader::octree_pack_cell({glm::uvec3(0), 0});
     commands.upload(tree.cells, 0, gpu::bytes_of_value(root));
     // Eight leaves without samples, caches and neighbours.
+    const auto set = [&](uint32_t array, std::span<const std::byte> bytes) {
+        const uint64_t word = shader::leaf_array_word(array, 0, 0, header_.node_capacity);
+        commands.upload(tree.leaves, word * sizeof(uint32_t), bytes);
+    };
     const auto fill = [&](uint32_t array, uint32_t width, uint32_t value) {
         const std::vector<uint32_t> words(size_t{8} * width, value);
-        commands.upload(tree.leaves, uint64_t{array} * 8 * header_.node_capacity * sizeof(uint32_t),
-                        gpu::bytes_of(words));
+        set(array, gpu::bytes_of(words));
     };
     fill(shader::LEAF_COUNT, 1, 0);
     fill(shader::LEAF_STORAGE, 2, 0);
@@ -199,11 +201,9 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     fill(shader::LEAF_SOURCE, 1, 0);
     fill(shader::LEAF_CACHED, 1, 0);
     fill(shader::LEAF_RAYS, 1, 0);
-    const glm::uvec4 even = shader::cdq_even_tree(std::max(options_.cdq_bits, 32u));
-    const std::vector<glm::uvec4> quadtrees(8, even);
-    commands.upload(tree.leaves,
-                    uint64_t{shader::LEAF_CDQ} * 8 * header_.node_capacity * sizeof(uint32_t),
-                    gpu::bytes_of(quadtrees));
+    const std::vector<glm::uvec4> quadtrees(
+        8, shader::cdq_even_tree(std::max(options_.cdq_bits, 32u)));
+    set(shader::LEAF_CDQ, gpu::bytes_of(quadtrees));
     restart_ = false;
 }
 

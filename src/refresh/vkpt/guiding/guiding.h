@@ -26,11 +26,11 @@ public:
         shader::GuidingSettings settings{};
         uint32_t cdq_bits = 0; // of the directional quadtrees; 0: none are kept
         bool lights = true;    // light samples are stored, and caches made of them
-        bool operator==(const Options&) const = default;
     };
-    /// Options from the variables. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080
-    /// pixels: they follow the number of pixels, and pt_oct_scale.
-    /// `frame` counts frames: where lights persist, neighbours take turns.
+    /// Options from the variables, but for `cdq_bits` and `lights`: those are for who traces the
+    /// rays to say. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they
+    /// follow the number of pixels, and pt_oct_scale. `frame` counts frames: where lights persist,
+    /// neighbours take turns.
     static Options options(glm::uvec2 picture_size, uint64_t frame);
     /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
     /// surface samples.

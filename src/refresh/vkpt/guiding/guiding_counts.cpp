@@ -23,6 +23,7 @@ std::vector<GuidingCount> guiding_counts(const shader::GuidingWork& work) {
         {"lights_per_cache", per_cache(work.cached_lights)},
         {"most_lights", static_cast<double>(work.most_lights)},
         {"buckets_per_cache", per_cache(work.cached_buckets)},
+        {"cdq_migrations", static_cast<double>(work.cdq_migrations)},
         {"lights_left_out", static_cast<double>(work.lights_left_out)},
     };
 }

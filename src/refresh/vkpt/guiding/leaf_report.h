@@ -42,7 +42,7 @@ public:
 
 private:
     uint32_t leaf_word(uint32_t array, uint32_t width, uint32_t leaf, uint32_t word = 0) const {
-        return leaves_[size_t{array} * 8 * header_.node_capacity + size_t{width} * leaf + word];
+        return leaves_[shader::leaf_array_word(array, width, leaf, header_.node_capacity) + word];
     }
 
     shader::GuidingHeader header_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/exploration.h"
 
-#include "shared/brdf.h"
-#include "shared/triangle_light.h"
+#include "refresh/vkpt/light/light_power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +17,6 @@ constexpr float change_fade = 0.5f, change_least = 0.01f;
 /// Share of all draws that is spread evenly, so that no light is out of reach.
 constexpr double even_share = 1e-4;
 
-/// Keeps weights finite whatever a level holds.
-float finite(float weight) {
-    return weight > 0.0f ? std::min(weight, 1e30f) : 0.0f; // also for NaN
-}
-
-float power_of(const shader::Light& light) {
-    return finite(shader::light_area(light) * shader::luminance(light.radiance));
-}
-
 bool same_place(const shader::Light& a, const shader::Light& b) {
     return a.v0 == b.v0 && a.e1 == b.e1 && a.e2 == b.e2;
 }
@@ -35,7 +25,8 @@ bool same_place(const shader::Light& a, const shader::Light& b) {
 /// bounds it.
 float nearness(const shader::Light& light, const glm::vec3& eye) {
     const glm::vec3 offset = light.v0 + (light.e1 + light.e2) / 3.0f - eye;
-    return power_of(light) / std::max(glm::dot(offset, offset) + shader::light_area(light), 1e-20f);
+    return light_power(light) /
+           std::max(glm::dot(offset, offset) + shader::light_area(light), 1e-20f);
 }
 
 /// Adds `density`, scaled to a sum of `part`. Returns false if there is none.
@@ -56,7 +47,7 @@ std::vector<float> Exploration::weights(std::span<const shader::Light> lights, c
     change_.resize(count);
     fading_ = false;
     for (size_t i = 0; i < count; ++i) {
-        energy[i] = power_of(lights[i]);
+        energy[i] = light_power(lights[i]);
         near[i] = nearness(lights[i], eye);
         // A light that appeared or moved counts with all its power, one that brightens with the
         // difference.
@@ -66,7 +57,7 @@ std::vector<float> Exploration::weights(std::span<const shader::Light> lights, c
         else if (!same_place(before_[i], lights[i]))
             changed = energy[i];
         else
-            changed = std::min(std::abs(energy[i] - power_of(before_[i])), energy[i]);
+            changed = std::min(std::abs(energy[i] - light_power(before_[i])), energy[i]);
         change_[i] = std::max(changed, change_fade * change_[i]);
         if (change_[i] <= change_least * energy[i]) change_[i] = 0.0f;
         fading_ |= change_[i] > 0.0f;
