@@ -3,7 +3,9 @@
 #ifndef VIGIL_PATHTRACE_NEXT_EVENT_GLSL
 #define VIGIL_PATHTRACE_NEXT_EVENT_GLSL
 
+#include "light/importance.glsl"
 #include "light/technique.glsl"
+#include "shared/light_point.h"
 
 /// What one light sample adds to a surface.
 struct DirectLight {
@@ -11,15 +13,55 @@ struct DirectLight {
     bool explored; // see LightChoice
 };
 
-/// Radiance of a chosen light towards the surface's viewer by way of the point that `u` draws, divided by all
+/// A point on a light, and what it is worth unless something is in between.
+struct PointChoice {
+    vec3 point;
+    vec3 value; // BRDF * cosine / density: a mean over the points looked at
+};
+
+/// Looks at pt_light_points points of a light, spread evenly, and keeps one in proportion to what it is worth; `value` is then their
+/// mean, on the colour of the one kept (resampled importance sampling, Talbot et al. 2005; as the points have the light's density each, it is unbiased
+/// for any number of them). With a good choice of lights the choice of the point makes most of the noise, and is the cheaper of the two.
+PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
+    const SphericalTriangle near = near_light(light, surface.origin);
+    float share = 0.0;
+    if (HAS_GLOSS && surface.brdf.f0 > 0.0)
+        share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light, near);
+    PointChoice choice = PointChoice(vec3(0.0), vec3(0.0));
+    const int points = frame.cvars.pt_light_points;
+    float sum = 0.0;
+    float kept = 1.0;
+    for (int i = 0; i < points; ++i) {
+        // Steps of the R2 sequence (Roberts 2018).
+        const vec2 place = fract(u + float(i) * vec2(0.7548776662, 0.5698402910));
+        const LightSample seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view,
+                                                     surface.brdf, share, place);
+        if (!(seen.geometry > 0.0)) continue;
+        const vec3 value =
+            brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry;
+        const float worth = max(value.x, max(value.y, value.z));
+        if (!(worth > 0.0)) continue;
+        sum += worth;
+        const float chance = worth / sum;
+        if (v < chance) {
+            choice = PointChoice(seen.point, value);
+            kept = worth;
+            v /= chance;
+        } else {
+            v = (v - chance) / (1.0 - chance);
+        }
+    }
+    choice.value *= sum / (kept * float(points));
+    return choice;
+}
+
+/// Radiance of a chosen light towards the surface's viewer by way of a point of it that `u` draws, divided by all
 /// probabilities; 0 where something is in between.
-vec3 sampled_radiance(Surface surface, LightChoice choice, vec2 u, uint seed) {
+vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed) {
     if (choice.light == NONE) return vec3(0.0);
     const Light light = lights[choice.light];
-    const LightSample seen = sample_light(light, surface.origin, u);
-    if (!(seen.geometry > 0.0)) return vec3(0.0);
-    const vec3 reflected = brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value;
-    const vec3 value = reflected * light.radiance * (seen.geometry / choice.probability);
+    const PointChoice seen = choose_point(surface, light, u.xy, u.z);
+    const vec3 value = seen.value * light.radiance / choice.probability;
     if (!(max(value.x, max(value.y, value.z)) > 0.0)) return vec3(0.0);
 
     // From just above the surface to just above the light.
@@ -36,7 +78,7 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec2 u, uint seed) {
 
 DirectLight next_event_estimate(Surface surface, inout Random random) {
     const LightChoice choice = choose_light(surface, random);
-    const vec2 u = random_next2(random);
+    const vec3 u = random_next3(random);
     const uint seed = random_next_words(random).x;
     const vec3 value = sampled_radiance(surface, choice, u, seed);
     // One path per pixel teaches: what is stored is bounded by the resolution.

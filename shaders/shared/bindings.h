@@ -31,7 +31,7 @@
 #define SCENE_BINDING_COUNT 19
 
 // Set 1 holds this many storage buffers; what they are is the technique's business (shaders/light/NAME.glsl).
-#define TECHNIQUE_BINDING_COUNT 5
+#define TECHNIQUE_BINDING_COUNT 6
 
 // Set 2, declared in guiding/octree.glsl. Vulkan 1.2 lets a device stop at few storage buffers per stage, and Mesa 22.3's
 // software driver at 32 for all sets together.

@@ -95,6 +95,20 @@ SHADER_FN float specular_probability(Brdf brdf, float view_cosine) {
     return max(0.1f, specular / max(specular + diffuse, 1e-6f));
 }
 
+/// GGX distribution of facet normals at the unit vector h. sin^2 from the cross product keeps its
+/// digits near the peak, where 1 - (n.h)^2 has none.
+SHADER_FN float ggx_distribution(float alpha2, vec3 normal, vec3 h) {
+    vec3 nxh = cross(normal, h);
+    float nh = brdf_cosine(normal, h);
+    float slope = dot(nxh, nxh) + alpha2 * nh * nh;
+    return alpha2 * INVERSE_PI / (slope * slope);
+}
+
+/// Smith's masking, as sqrt(alpha^2 + (1 - alpha^2) cos^2).
+SHADER_FN float smith_root(float alpha2, float cosine) {
+    return sqrt(alpha2 + (1.0f - alpha2) * cosine * cosine);
+}
+
 /// BRDF * cosine and density for unit vectors; `view` and `light` point away from the surface.
 /// Reciprocal but for the cosine. Never NaN, infinite or negative, whatever the (unit) directions.
 SHADER_FN BrdfValue brdf_evaluate(Brdf brdf, vec3 normal, vec3 view, vec3 light) {
@@ -111,16 +125,11 @@ SHADER_FN BrdfValue brdf_evaluate(Brdf brdf, vec3 normal, vec3 view, vec3 light)
         vec3 v = brdf_view(normal, view);
         float nv = brdf_cosine(normal, v);
         vec3 h = normalize(v + light);
-        // GGX distribution. sin^2 from the cross product keeps its digits near the peak, where 1 -
-        // (n.h)^2 has none.
-        vec3 nxh = cross(normal, h);
-        float nh = brdf_cosine(normal, h);
         float alpha2 = brdf.alpha * brdf.alpha;
-        float slope = dot(nxh, nxh) + alpha2 * nh * nh;
-        float distribution = alpha2 * INVERSE_PI / (slope * slope);
+        float distribution = ggx_distribution(alpha2, normal, h);
         // Smith: masking for the density, masking and shadowing together for the value.
-        float root_v = sqrt(alpha2 + (1.0f - alpha2) * nv * nv);
-        float root_l = sqrt(alpha2 + (1.0f - alpha2) * nl * nl);
+        float root_v = smith_root(alpha2, nv);
+        float root_l = smith_root(alpha2, nl);
         float fresnel = brdf.f0 + (1.0f - brdf.f0) * schlick_weight(dot(v, h));
         float specular = 0.5f * fresnel * distribution * nl / (nl * root_v + nv * root_l);
         float visible_normals = 0.5f * distribution / (nv + root_v);
@@ -149,6 +158,17 @@ SHADER_FN vec3 sample_visible_reflection(vec3 view, float alpha, vec2 u) {
     // The two unit vectors cancel only for a view along the surface, which brdf_view has lifted.
     h = normalize(vec3(alpha * h.x, alpha * h.y, max(h.z, 1e-7f)));
     return 2.0f * dot(view, h) * h - view;
+}
+
+/// Density per steradian of the direction that sample_visible_reflection draws for a surface with a
+/// GGX lobe, for unit vectors; 0 below the horizon.
+SHADER_FN float visible_reflection_pdf(Brdf brdf, vec3 normal, vec3 view, vec3 light) {
+    if (!(dot(normal, light) > 0.0f)) return 0.0f;
+    vec3 v = brdf_view(normal, view);
+    float nv = brdf_cosine(normal, v);
+    float alpha2 = brdf.alpha * brdf.alpha;
+    return 0.5f * ggx_distribution(alpha2, normal, normalize(v + light)) /
+           (nv + smith_root(alpha2, nv));
 }
 
 /// Draws a light direction in proportion to the reflected light, as a mixture of the cosine lobe

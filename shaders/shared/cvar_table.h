@@ -68,6 +68,8 @@
         "seed of all random numbers; same seed, same picture") \
     GPU_INTEGER(pt_bounces, Session, 1, 0, 1, \
         "number of indirect hits at which lights are sampled") \
+    GPU_INTEGER(pt_light_points, Session, 8, 1, 64, \
+        "points weighted on a chosen light, of which one gets the shadow ray; 1: as the paper") \
     GPU_INTEGER(pt_sll_max, Session, 32, 1, 1024, \
         "sll: most lights weighted per hit; longer lists are walked with a stride") \
     INTEGER(pt_oct_split, Session, 4096, 1, 1000000000, \
@@ -85,8 +87,8 @@
     INTEGER(pt_vlc_merge, Session, 1, 0, 1, "vlc: 1: caches take over their neighbours' lights") \
     INTEGER(pt_vlc_persist, Session, 16, 0, 30, \
         "vlc: frames that a light stays in a cache after it was seen there; 0: the paper's caches") \
-    GPU_REAL(pt_explore_local, Session, 0.5, 0.0, 1.0, \
-        "vlc: part of the search that looks among the lights of the surface's PVS cluster; 0: as the paper") \
+    GPU_REAL(pt_explore_local, Session, 0.8, 0.0, 1.0, \
+        "vlc: part of the search that weighs lights of the surface's PVS cluster, as sll; 0: as the paper") \
     REAL(pt_explore_energy, Session, 1.0, 0.0, 1e6, \
         "vlc: weight of a light's power when looking for lights") \
     REAL(pt_explore_change, Session, 1.0, 0.0, 1e6, \

@@ -201,24 +201,42 @@ SHADER_FN LtcSurface ltc_prepare_glossy(vec3 position, vec3 normal, vec3 view, B
 /// above the horizon, and no light that contributes may have importance zero.
 SHADER_CONST float LTC_DEFENSIVE = 0.02f;
 
-/// Luminance that the light would add to the surface if it were visible, by which to choose among
-/// lights. Exactly 0 for lights that are dark, face away, have no area or lie below the horizon;
-/// positive and finite for all others.
+/// What a light of radiance 1 would add to a surface if it were visible.
+struct LtcParts {
+    float diffuse;
+    float specular; // of the GGX lobe
+    float covered;  // part of the GGX lobe that the light covers, in [0, 1]
+};
+
+/// All 0 for lights that face away, have no area or lie below the horizon; `diffuse` is positive and
+/// all are finite for the others, if the surface is not black.
 /// `glossy` is false where no surface has a GGX lobe: as a constant, it removes that lobe's code.
-SHADER_FN float ltc_importance(LtcSurface surface, Light light, bool glossy) {
+SHADER_FN LtcParts ltc_parts(LtcSurface surface, Light light, bool glossy) {
+    LtcParts parts;
+    parts.diffuse = 0.0f;
+    parts.specular = 0.0f;
+    parts.covered = 0.0f;
     float facing = light_facing(light, surface.position);
-    if (!(facing > 0.0f)) return 0.0f;
+    if (!(facing > 0.0f)) return parts;
     vec3 v0 = light.v0 - surface.position;
     float form = form_factor(surface.normal, v0, light.e1, light.e2, facing);
-    float importance = surface.diffuse * form;
+    parts.diffuse = surface.diffuse * form;
     if (glossy && surface.specular > 0.0f) {
         float lobe = form_factor(vec3(0.0f, 0.0f, 1.0f), surface.to_cosine * v0,
                                  surface.to_cosine * light.e1, surface.to_cosine * light.e2,
                                  surface.determinant * facing);
-        lobe = form > 0.0f ? mix(lobe, form, LTC_DEFENSIVE) : 0.0f;
-        importance += surface.specular * lobe;
+        parts.covered = form > 0.0f ? mix(lobe, form, LTC_DEFENSIVE) : 0.0f;
+        parts.specular = surface.specular * parts.covered;
     }
-    return importance * luminance(light.radiance);
+    return parts;
+}
+
+/// Luminance that the light would add to the surface if it were visible, by which to choose among
+/// lights. Exactly 0 for lights that are dark, face away, have no area or lie below the horizon;
+/// positive and finite for all others.
+SHADER_FN float ltc_importance(LtcSurface surface, Light light, bool glossy) {
+    LtcParts parts = ltc_parts(surface, light, glossy);
+    return (parts.diffuse + parts.specular) * luminance(light.radiance);
 }
 
 /// Cells per side of the fitted table.

@@ -84,25 +84,28 @@ SHADER_FN SphericalTriangle near_light(Light light, vec3 position) {
     return seen;
 }
 
+/// Where a line meets the light's plane, as weights of e1 and e2; not finite along the plane.
+SHADER_FN vec2 light_plane_point(Light light, vec3 position, vec3 direction) {
+    const vec3 across = cross(direction, light.e2);
+    const vec3 offset = position - light.v0;
+    return vec2(dot(offset, across), dot(direction, cross(offset, light.e1))) /
+           dot(light.e1, across);
+}
+
 /// The light's point in a direction inside its solid angle, as barycentric weights of e1 and e2.
 SHADER_FN vec2 light_point_in_direction(Light light, vec3 position, vec3 direction) {
-    const vec3 across = cross(direction, light.e2);
-    const float determinant = dot(light.e1, across);
-    const vec3 offset = position - light.v0;
-    const float x = dot(offset, across) / determinant;
-    const float y = dot(direction, cross(offset, light.e1)) / determinant;
+    const vec2 at = light_plane_point(light, position, direction);
     // Rounding may carry it over an edge; directions along the plane have no point: the middle will
     // do.
-    if (!(abs(x) < 2.0f && abs(y) < 2.0f)) return vec2(1.0f / 3.0f);
-    const vec2 inside = max(vec2(x, y), vec2(0.0f));
+    if (!(abs(at.x) < 2.0f && abs(at.y) < 2.0f)) return vec2(1.0f / 3.0f);
+    const vec2 inside = max(at, vec2(0.0f));
     return inside / max(inside.x + inside.y, 1.0f);
 }
 
-/// Draws a point on the light. Radiance leaving `position` towards the viewer through this sample
-/// is light.radiance * (BRDF * cosine) * geometry / (chance of choosing this light), if the point
-/// is visible.
-SHADER_FN LightSample sample_light(Light light, vec3 position, vec2 u) {
-    const SphericalTriangle near = near_light(light, position);
+/// Draws a point on the light; `near` is near_light's. Radiance leaving `position` towards the viewer
+/// through this sample is light.radiance * (BRDF * cosine) * geometry / (chance of choosing this
+/// light), if the point is visible.
+SHADER_FN LightSample sample_light(Light light, SphericalTriangle near, vec3 position, vec2 u) {
     vec2 weights;
     if (near.solid_angle > 0.0f)
         weights = light_point_in_direction(light, position, sample_spherical_triangle(near, u));
@@ -117,11 +120,18 @@ SHADER_FN LightSample sample_light(Light light, vec3 position, vec2 u) {
     return seen;
 }
 
+SHADER_FN LightSample sample_light(Light light, vec3 position, vec2 u) {
+    return sample_light(light, near_light(light, position), position, u);
+}
+
 /// Density per steradian with which `sample_light` draws `point`; 0 where it never does.
-SHADER_FN float light_pdf(Light light, vec3 position, vec3 point) {
-    const SphericalTriangle near = near_light(light, position);
+SHADER_FN float light_pdf(Light light, SphericalTriangle near, vec3 position, vec3 point) {
     return near.solid_angle > 0.0f ? 1.0f / near.solid_angle
                                    : see_light_point(light, position, point).pdf;
+}
+
+SHADER_FN float light_pdf(Light light, vec3 position, vec3 point) {
+    return light_pdf(light, near_light(light, position), position, point);
 }
 
 SHADER_END

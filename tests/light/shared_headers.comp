@@ -8,6 +8,7 @@
 #include "shared/alias_table.h"
 #include "shared/brdf.h"
 #include "shared/cdq.h"
+#include "shared/light_point.h"
 #include "shared/ltc.h"
 #include "shared/octahedral.h"
 #include "shared/random.h"
@@ -33,8 +34,11 @@ void main() {
     const LtcSurface glossy = ltc_prepare_glossy(vec3(0.0), normal, normal, brdf);
     const vec3 origin = offset_ray_origin(vec3(0.0), normal);
     const LightSample seen = sample_light(light, origin, random_next2(random));
+    const SphericalTriangle near = near_light(light, origin);
+    const float share = lobe_share(glossy, normal, brdf, light, near);
+    const LightSample glint = sample_light_glossy(light, near, origin, normal, normal, brdf, share, vec2(0.5));
     result = vec4(ltc_importance(diffuse, light, false), ltc_importance(glossy, light, true),
-                  drawn.seen.pdf + seen.geometry, alias_choose(entry, slot));
+                  drawn.seen.pdf + seen.geometry + glint.geometry, alias_choose(entry, slot));
     tree = cdq_migrate(tree, 0u, cdq_leaf(tree, 128u, slot.column));
     result += cdq_pdf(tree, 128u, cdq_sample(tree, 128u, random_next3(random)));
 }
