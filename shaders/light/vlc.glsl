@@ -1,87 +1,186 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `vlc`: the Visibility Light Cache (paper, section 4.2 and algorithm 1). A bucket of the surface's cache is drawn, and in it a light in
-// proportion to its importance; a fraction pt_vlc_explore of the draws takes any light of the level instead. One walk
-// through one bucket serves both: it adds up the importances, chooses, and finds the explored light's own.
+// proportion to its importance. A fraction pt_vlc_explore of the draws looks for lights that no sample has seen lately instead:
+//   - pt_explore_local of it walks the lights of the surface's PVS cluster, as `sll` does. What the cache has already is thrown away, so
+//     that no light needs the probabilities of two walks;
+//   - the rest takes any light of the level from a table weighted anew each frame (paper, section 4.3).
+// Every draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
+// nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability.
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.
 #include "guiding/octree.glsl"
-#include "light/exploration.glsl"
+#include "light/alias.glsl"
 #include "light/importance.glsl"
+#include "light/light_list.glsl"
+#include "light/reservoir.glsl"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
 
-/// What a walk through a bucket found.
-struct BucketWalk {
-    float sum;    // of importances
-    uint chosen;  // a light drawn in proportion to its importance; NONE if all are 0
-    float chosen_importance;
-    float sought_importance; // of the light sought; 0 if it is not in the bucket
+uint bucket_size() { return uint(frame.cvars.pt_vlc_bucket); }
+
+/// The lights that a surface's cache holds: `buckets` buckets of bucket_size() each, a power of two; a light is in that of its
+/// id's remainder.
+struct LightCache {
+    uint first;
+    uint buckets; // 0: nothing was seen here
 };
 
-/// Walks through the bucket of `size` lights at most that begins at `first`; `u` in [0, 1) draws. The choice is a weighted
-/// reservoir of one: each light replaces the one before with probability importance / sum so far, and
-/// the random number is stretched again after each use.
-BucketWalk walk_bucket(LtcSurface prepared, uint first, uint size, uint sought, float u) {
-    BucketWalk walk = BucketWalk(0.0, NONE, 0.0, 0.0);
-    for (uint i = 0u; i < size; ++i) {
-        const uint entry = vlc_lights[first + i];
-        if (entry == NONE) break;
-        const uint light = entry & VLC_ID_MASK;
-        const float importance = light_importance(prepared, light);
-        if (!(importance > 0.0)) continue;
-        walk.sum += importance;
-        if (light == sought) walk.sought_importance = importance;
-        const float share = importance / walk.sum;
-        if (u < share) {
-            walk.chosen = light;
-            walk.chosen_importance = importance;
-            u /= share;
+LightCache find_light_cache(uint leaf) {
+    const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+    return LightCache(leaves[cache], leaves[cache + 1u]);
+}
+
+uint bucket_of_light(LightCache cache, uint light) {
+    return cache.first + (light & (cache.buckets - 1u)) * bucket_size();
+}
+
+/// Whether a light is in the cache: bisection, as the lights of a bucket lie in the order of their reversed ids.
+bool is_cached(LightCache cache, uint light) {
+    if (cache.buckets == 0u) return false;
+    const uint sought = bitfieldReverse(light);
+    uint first = bucket_of_light(cache, light);
+    for (uint count = bucket_size(); count > 1u;) {
+        const uint half_count = count / 2u;
+        const uint entry = vlc_lights[first + half_count];
+        const bool above = entry != NONE && bitfieldReverse(entry & VLC_ID_MASK) <= sought;
+        first += above ? half_count : 0u;
+        count = above ? count - half_count : half_count;
+    }
+    const uint entry = vlc_lights[first];
+    return entry != NONE && (entry & VLC_ID_MASK) == light;
+}
+
+/// Whether any light of the cache may shine on the surface, as far as is known from one bucket.
+bool may_shine(LightCache cache, LtcSurface prepared) {
+    if (cache.buckets != 1u) return cache.buckets > 1u;
+    for (uint i = 0u; i < bucket_size(); ++i) {
+        const uint entry = vlc_lights[cache.first + i];
+        if (entry == NONE) return false;
+        if (light_importance(prepared, entry & VLC_ID_MASK) > 0.0) return true;
+    }
+    return false;
+}
+
+/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list.
+struct Candidates {
+    bool from_cache;
+    uint first; // index into vlc_lights, or of the list
+    uint end;
+    uint stride;
+};
+
+Candidates bucket_candidates(uint first) { return Candidates(true, first, first + bucket_size(), 1u); }
+
+Candidates list_candidates(LightList list, uint start, uint stride) { return Candidates(false, start, list.count, stride); }
+
+/// What a walk found.
+struct CandidateWalk {
+    Reservoir reservoir;
+    float sought_importance; // of the light sought; 0 if it was not met
+};
+
+CandidateWalk walk_candidates(LtcSurface prepared, LightList list, Candidates candidates, uint sought, float u) {
+    CandidateWalk walk = CandidateWalk(new_reservoir(u), 0.0);
+    for (uint i = candidates.first; i < candidates.end; i += candidates.stride) {
+        uint light;
+        if (candidates.from_cache) {
+            light = vlc_lights[i];
+            if (light == NONE) break;
+            light &= VLC_ID_MASK;
         } else {
-            u = (u - share) / (1.0 - share);
+            light = light_of_list(list, i);
         }
+        const float importance = light_importance(prepared, light);
+        reservoir_add(walk.reservoir, light, importance);
+        if (light == sought) walk.sought_importance = importance;
     }
     return walk;
 }
 
-/// Share of the draws that explore. Where the cache is known to have nothing, all do.
-float explore_fraction(BucketWalk walk, uint buckets) {
-    const bool nothing = buckets == 0u || (buckets == 1u && !(walk.sum > 0.0));
-    return nothing ? 1.0 : frame.cvars.pt_vlc_explore;
+/// Shares of all draws.
+struct Shares {
+    float cache;
+    float list;
+    float table;
+};
+
+Shares technique_shares(bool shines, LightList list) {
+    const float explore = shines ? frame.cvars.pt_vlc_explore : 1.0;
+    const float local = alias_count == 0u ? 1.0 : frame.cvars.pt_explore_local;
+    const float by_list = list.count > 0u ? explore * local : 0.0;
+    return Shares(1.0 - explore, by_list, explore - by_list);
 }
 
-/// Probability of a light of the walked bucket in the mixture of both techniques.
-float mixture_probability(BucketWalk walk, uint buckets, Exploration exploration, uint light, float importance) {
-    const float explore = explore_fraction(walk, buckets);
-    float probability = explore * exploration_probability(exploration, light);
-    if (importance > 0.0) probability += (1.0 - explore) * importance / (walk.sum * float(buckets));
-    return probability;
+/// Everything that the draws of a surface have in common.
+struct LightSearch {
+    LtcSurface prepared;
+    LightCache cache;
+    LightList list;
+    uint list_stride;
+    Shares shares;
+};
+
+LightSearch prepare_search(Surface surface, uint leaf) {
+    LightSearch search;
+    search.prepared = prepare_importance(surface);
+    search.cache = find_light_cache(leaf);
+    search.list = find_light_list(surface);
+    search.list_stride = max(list_stride(search.list, bucket_size()), 1u);
+    search.shares = technique_shares(may_shine(search.cache, search.prepared), search.list);
+    return search;
+}
+
+/// The one walk that can meet a light. A light that is in neither cache nor list has none: only the table draws it.
+Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
+    if (cached) return bucket_candidates(bucket_of_light(search.cache, light));
+    const uint place = place_in_list(search.list, light);
+    if (place == NONE) return Candidates(false, 0u, 0u, 1u);
+    return list_candidates(search.list, place % search.list_stride, search.list_stride);
+}
+
+/// Probability of a light in the mixture, after the one walk that can meet it; `importance` is its own.
+float mixture_probability(LightSearch search, bool cached, uint light, float importance, float sum) {
+    const float walks = cached ? search.shares.cache / float(search.cache.buckets)
+                               : search.shares.list / float(search.list_stride);
+    return search.shares.table * alias_probability(light) + (importance > 0.0 ? walks * importance / sum : 0.0);
 }
 
 LightChoice choose_light(Surface surface, inout Random random) {
     const SurfaceLeaves found = find_leaves(surface);
-    const uint cache = leaf_word(LEAF_VLC, 2u, found.cache);
-    const uint first = leaves[cache];
-    const uint buckets = leaves[cache + 1u];
+    const LightSearch search = prepare_search(surface, found.cache);
     const vec3 u = random_next3(random);
-    const Exploration exploration = prepare_exploration(surface);
-    const uint explored = explore_light(exploration, random_next(random), random_next_bits(random));
+    const uvec2 bits = random_next_bits(random);
 
-    bool explore = u.x < frame.cvars.pt_vlc_explore;
-    // An explored light can only be in one bucket; otherwise any will do.
-    BucketWalk walk = BucketWalk(0.0, NONE, 0.0, 0.0);
-    if (buckets > 0u) {
-        const uint bucket =
-            explore && explored != NONE ? explored & (buckets - 1u) : min(uint(u.y * float(buckets)), buckets - 1u);
-        const uint size = uint(frame.cvars.pt_vlc_bucket);
-        walk = walk_bucket(prepare_importance(surface), first + bucket * size, size, explored, u.z);
+    // What to walk past.
+    const bool from_cache = u.x < search.shares.cache;
+    const bool from_list = !from_cache && u.x < search.shares.cache + search.shares.list;
+    uint tabled = NONE;
+    bool cached = from_cache;
+    Candidates candidates;
+    if (from_cache) {
+        const uint bucket = min(uint(u.y * float(search.cache.buckets)), search.cache.buckets - 1u);
+        candidates = bucket_candidates(search.cache.first + bucket * bucket_size());
+    } else if (from_list) {
+        const uint start = min(uint(u.y * float(search.list_stride)), search.list_stride - 1u);
+        candidates = list_candidates(search.list, start, search.list_stride);
+    } else {
+        tabled = alias_light(bits);
+        cached = is_cached(search.cache, tabled);
+        candidates = candidates_of_light(search, cached, tabled);
     }
-    explore = explore || explore_fraction(walk, buckets) == 1.0;
+    const CandidateWalk walk = walk_candidates(search.prepared, search.list, candidates, tabled, u.z);
 
-    LightChoice choice = light_choice(explore ? explored : walk.chosen, 0.0);
-    choice.explored = explore;
+    LightChoice choice = light_choice(tabled, 0.0);
+    choice.explored = !from_cache;
     choice.memory = found.samples;
+    float importance = walk.sought_importance;
+    if (from_cache || from_list) {
+        choice.light = walk.reservoir.chosen;
+        importance = walk.reservoir.chosen_importance;
+        // The cache draws this light, and better.
+        if (from_list && choice.light != NONE && is_cached(search.cache, choice.light)) choice.light = NONE;
+    }
     if (choice.light == NONE) return choice;
-    choice.probability = mixture_probability(walk, buckets, exploration, choice.light,
-                                             explore ? walk.sought_importance : walk.chosen_importance);
+    choice.probability = mixture_probability(search, cached, choice.light, importance, walk.reservoir.sum);
     // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it.
     if (!(choice.probability > 0.0)) choice.light = NONE;
     return choice;
@@ -92,12 +191,9 @@ void learn_light(LightChoice choice, bool seen) {
 }
 
 float light_probability(Surface surface, uint light) {
-    const uint cache = leaf_word(LEAF_VLC, 2u, find_leaves(surface).cache);
-    const uint buckets = leaves[cache + 1u];
-    BucketWalk walk = BucketWalk(0.0, NONE, 0.0, 0.0);
-    if (buckets > 0u) {
-        const uint size = uint(frame.cvars.pt_vlc_bucket);
-        walk = walk_bucket(prepare_importance(surface), leaves[cache] + (light & (buckets - 1u)) * size, size, light, 0.0);
-    }
-    return mixture_probability(walk, buckets, prepare_exploration(surface), light, walk.sought_importance);
+    const LightSearch search = prepare_search(surface, find_leaves(surface).cache);
+    const bool cached = is_cached(search.cache, light);
+    const CandidateWalk walk =
+        walk_candidates(search.prepared, search.list, candidates_of_light(search, cached, light), light, 0.0);
+    return mixture_probability(search, cached, light, walk.sought_importance, walk.reservoir.sum);
 }

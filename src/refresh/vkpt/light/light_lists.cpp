@@ -140,11 +140,6 @@ LightLister::LightLister(const Bsp& bsp, const Pvs& pvs)
     }
 }
 
-float LightLister::distance_to_cluster(size_t cluster, const glm::vec3& point) const {
-    const Box& box = boxes_[cluster];
-    return glm::distance(point, glm::clamp(point, box.mins, box.maxs));
-}
-
 void LightLister::clusters_touched(const LightTriangle& light,
                                    std::vector<uint32_t>& clusters) const {
     struct Visit {

@@ -48,9 +48,6 @@ public:
 
     uint32_t cluster_count() const { return cluster_count_; }
 
-    /// Distance of a point from the bounds of a cluster's surfaces; 0 inside.
-    float distance_to_cluster(size_t cluster, const glm::vec3& point) const;
-
     /// Replaces `clusters` by those that the triangle touches, sorted and unique: the triangle is
     /// clipped down the node tree. A part that lies in a splitting plane belongs to its lit side; a
     /// corner that merely touches a plane belongs to both sides. Empty if the triangle is in no

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/light/cluster_lists.h"
+
+#include "refresh/vkpt/scene/light_set.h"
+
+namespace vigil::vkpt {
+
+namespace {
+
+std::vector<LightTriangle> triangles_of(const LightSet& lights, uint32_t first, uint32_t end,
+                                        bool dark) {
+    std::vector<LightTriangle> triangles;
+    for (uint32_t id = first; id < end; ++id) {
+        const shader::Light& light = lights.lights()[id];
+        if (dark || light.radiance != glm::vec3(0.0f))
+            triangles.push_back({light.v0, light.v0 + light.e1, light.v0 + light.e2, id});
+    }
+    return triangles;
+}
+
+} // namespace
+
+bool ClusterLists::prepare(const LightSet& lights) {
+    bool renewed = false;
+    const uint32_t first_moving = lights.static_count();
+    if (!built_) {
+        // A static light that is dark now may be switched on later: it is listed all the same.
+        renewed |= static_.set(lister_.build(triangles_of(lights, 0, first_moving, true)));
+        built_ = true;
+    }
+    if (revision_ != lights.moving_revision()) {
+        revision_ = lights.moving_revision();
+        const auto count = static_cast<uint32_t>(lights.lights().size());
+        const std::vector<LightTriangle> moving = triangles_of(lights, first_moving, count, false);
+        const LightLists lists = lister_.build(moving);
+        renewed |= moving_.set(lists);
+        const uint32_t counts[2] = {static_cast<uint32_t>(lists.ranges.size()),
+                                    moving.empty() ? 0u : 1u};
+        renewed |= counts_.set(std::as_bytes(std::span(counts)));
+    }
+    return renewed;
+}
+
+void ClusterLists::upload(gpu::FrameCommands& commands) {
+    for (GrowingBuffer* buffer :
+         {&static_.ranges, &static_.ids, &moving_.ranges, &moving_.ids, &counts_})
+        buffer->upload(commands);
+}
+
+void ClusterLists::bind(LightTechnique::Bindings& bindings) const {
+    bindings[1] = &static_.ranges.buffer();
+    bindings[2] = &static_.ids.buffer();
+    bindings[3] = &moving_.ranges.buffer();
+    bindings[4] = &moving_.ids.buffer();
+    bindings[5] = &counts_.buffer();
+}
+
+} // namespace vigil::vkpt

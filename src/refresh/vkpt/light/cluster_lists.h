@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The light lists of all PVS clusters on the GPU, as shaders/light/light_list.glsl reads them.
+// Lists of the static world's lights are made once; lists of lights that move are made anew
+// whenever one of them appears, vanishes or moves.
+#pragma once
+
+#include "refresh/vkpt/light/growing_buffer.h"
+#include "refresh/vkpt/light/light_lists.h"
+#include "refresh/vkpt/light/technique.h"
+
+namespace vigil::vkpt {
+
+class ClusterLists {
+public:
+    explicit ClusterLists(const TechniqueContext& context)
+        : lister_(context.lister), static_(context.device, "static light"),
+          moving_(context.device, "moving light"), counts_(context.device, "light list counts") {}
+
+    /// Brings the lists to this frame's lights. Returns true if a buffer was made anew.
+    bool prepare(const LightSet& lights);
+    void upload(gpu::FrameCommands& commands);
+    /// Puts the buffers at the bindings of light_list.glsl, 1 to 5.
+    void bind(LightTechnique::Bindings& bindings) const;
+
+private:
+    struct ListBuffers {
+        ListBuffers(const gpu::Device& device, const char* name)
+            : ranges(device, name), ids(device, name) {}
+        bool set(const LightLists& lists) {
+            const bool new_ranges = ranges.set(gpu::bytes_of(lists.ranges));
+            return ids.set(gpu::bytes_of(lists.ids)) || new_ranges;
+        }
+        GrowingBuffer ranges, ids;
+    };
+
+    const LightLister& lister_;
+    ListBuffers static_, moving_;
+    GrowingBuffer counts_;
+    uint64_t revision_ = 0;
+    bool built_ = false;
+};
+
+} // namespace vigil::vkpt
