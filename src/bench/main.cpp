@@ -2,6 +2,7 @@
 // The program `vigil_bench`: measurements by name. A benchmark is a row of the table; everything
 // else about it is in its own file.
 #include "bench/quality_bench.h"
+#include "bench/ring_bench.h"
 #include "bench/trace_bench.h"
 #include "common/error.h"
 
@@ -22,6 +23,8 @@ struct Bench {
 constexpr Bench benches[] = {
     {"quality", "error of every technique at one sample per pixel, and its cost",
      vigil::bench::run_quality_bench},
+    {"ring", "how fast directional quadtrees follow a light that turns",
+     vigil::bench::run_ring_bench},
     {"trace", "rays per second, next to Embree on the same rays", vigil::bench::run_trace_bench},
 };
 

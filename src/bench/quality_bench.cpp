@@ -13,6 +13,7 @@
 #include "refresh/vkpt/passes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -58,30 +59,23 @@ ViewResult make_reference(const QualityOptions& options, QualityRenderer& render
                           const Place& place, Progress& progress, Reference& reference,
                           const Pictures& pictures) {
     const Pose& pose = place.measured();
-    const std::string key = renderer.reference_key(pose, options.reference);
-    const std::filesystem::path path = output_path(
-        fmt::format("cache/reference-{:016x}.bin", hash_bytes(std::as_bytes(std::span(key)))));
-    if (!options.fresh) reference.load(path, key);
     const int most = std::max(least_batches, options.reference_paths / reference_batch_paths);
-    const int before = reference.batches();
-    const auto finished = [&] {
+    const auto good = [&] {
         return reference.batches() >= least_batches &&
                reference.mean_variance() <=
                    options.reference_share * smallest_mse(pictures, reference);
     };
-    while (!finished() && reference.batches() < most) {
-        if (reference.batches() == before) renderer.begin_reference(pose, options.reference);
-        reference.add(renderer.reference_batch(pose, reference.batches()));
-        progress.note(
-            fmt::format("reference, {} paths", reference.batches() * reference_batch_paths));
-        // So that an interrupted run loses little.
-        if (reference.batches() % 16 == 0) reference.save(path, key);
-    }
-    if (reference.batches() > before) reference.save(path, key);
+    renderer.complete(reference, pose,
+                      {options.reference, options.warmup, options.fresh,
+                       [&] { return good() || reference.batches() >= most; },
+                       [&] {
+                           progress.note(fmt::format("reference, {} paths",
+                                                     reference.batches() * reference_batch_paths));
+                       }});
     return {place,
-            options.reference,
+            options.reference.label,
             reference.batches() * reference_batch_paths,
-            finished(),
+            good(),
             reference.picture_mean(),
             reference.picture_mean_error(),
             reference.mean_variance(),
@@ -111,9 +105,9 @@ void add_measurement(RowResult& row, const Measurement& measured) {
 }
 
 void begin_view(RowResult& row) {
-    for (Strata* strata :
-         {&row.mse, &row.trimmed_mse, &row.trimmed_variance, &row.relative_mse, &row.mean_ratio,
-          &row.unlit, &row.explored, &row.prepare_ms, &row.path_ms})
+    for (Strata* strata : {&row.mse, &row.trimmed_mse, &row.trimmed_variance, &row.bright_mse,
+                           &row.bright_variance, &row.relative_mse, &row.mean_ratio, &row.unlit,
+                           &row.explored, &row.prepare_ms, &row.path_ms})
         strata->emplace_back();
     row.pass_ms.resize(std::size(vkpt::pass_names));
     for (Strata& strata : row.pass_ms)
@@ -149,11 +143,18 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
                 result.rows[row].mse.back().push_back(error.mse);
                 result.rows[row].trimmed_mse.back().push_back(error.trimmed_mse);
                 result.rows[row].trimmed_variance.back().push_back(error.trimmed_variance);
+                if (!std::isnan(error.bright_mse)) {
+                    result.rows[row].bright_mse.back().push_back(error.bright_mse);
+                    result.rows[row].bright_variance.back().push_back(error.bright_variance);
+                }
                 result.rows[row].relative_mse.back().push_back(error.relative_mse);
                 result.rows[row].mean_ratio.back().push_back(error.mean_ratio);
             }
         }
     }
+    for (RowResult& row : result.rows)
+        for (Strata* strata : {&row.bright_mse, &row.bright_variance})
+            std::erase_if(*strata, [](const auto& view) { return view.empty(); });
     result.nonfinite = renderer.nonfinite_count();
     return result;
 }
@@ -169,9 +170,9 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
         Pictures pictures(options.rows.size() * options.seeds);
         for (int seed = 0; seed < options.seeds; ++seed) {
             for (std::size_t row = 0; row < options.rows.size(); ++row) {
+                renderer.begin_run(options.rows[row], options.first_seed + seed);
                 pictures[row * options.seeds + seed] =
-                    renderer.stand_still(place.measured(), options.rows[row],
-                                         options.first_seed + seed, options.curve_frames);
+                    renderer.stand_still(place.measured(), options.curve_frames);
                 progress.advance(
                     fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
             }

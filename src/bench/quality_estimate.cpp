@@ -196,6 +196,19 @@ PictureError picture_error(std::span<const float> picture, const Reference& refe
     }
     error.trimmed_mse /= 3.0 * static_cast<double>(kept);
     error.trimmed_variance /= 3.0 * static_cast<double>(kept);
+
+    double bright = 0.0;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        double sum = 0.0;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            sum += reference.mean(3 * pixel + channel);
+        if (sum <= 3.0 * bright_factor * reference.picture_mean()) continue;
+        error.bright_mse += distances[pixel] - variances[pixel];
+        error.bright_variance += variances[pixel];
+        bright += 3.0;
+    }
+    error.bright_mse /= bright; // NaN without such pixels
+    error.bright_variance /= bright;
     return error;
 }
 

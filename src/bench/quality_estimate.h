@@ -50,11 +50,17 @@ double median(std::vector<double> values);
 /// Of the pixels, largest errors that trimmed_mse leaves out: fireflies.
 inline constexpr double trimmed_share = 0.001;
 
+/// Pixels above so many times the reference's mean are its bright part: what the sun shines on in a
+/// cave.
+inline constexpr double bright_factor = 4.0;
+
 struct PictureError {
     double mse = 0.0;              // mean over pixels and channels of (x - r)^2 - var(r)
     double trimmed_mse = 0.0;      // mse without the trimmed_share of pixels whose error is largest
     double trimmed_variance = 0.0; // the reference's mean variance in the pixels that are left
-    double relative_mse = 0.0;     // the same with each term over r^2 + relative_floor
+    double bright_mse = 0.0;       // mse of the bright part; NaN where there is none
+    double bright_variance = 0.0;  // the reference's there
+    double relative_mse = 0.0;     // mse with each term over r^2 + relative_floor
     double mean_ratio = 0.0;       // mean(x) / mean(r): shows energy that is lost or made
 };
 

@@ -88,6 +88,10 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         add_error("mse", &RowResult::mse);
         add_error("trimmed_mse", &RowResult::trimmed_mse);
         add("trimmed_variance", &RowResult::trimmed_variance);
+        if (!row.bright_mse.empty()) {
+            add_error("bright_mse", &RowResult::bright_mse);
+            add("bright_variance", &RowResult::bright_variance);
+        }
         add_error("relative_mse", &RowResult::relative_mse);
         add("mean_ratio", &RowResult::mean_ratio);
         add("unlit", &RowResult::unlit);
@@ -138,6 +142,7 @@ ordered_json settings_json(const QualityOptions& options, const std::string& dev
             {"camera_fps", place_fps},
             {"baseline", options.baseline},
             {"trimmed_share", trimmed_share},
+            {"bright_factor", bright_factor},
             {"reference_paths", options.reference_paths},
             {"reference_share", options.reference_share},
             {"variables", std::move(variables)},

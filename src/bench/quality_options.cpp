@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/quality_options.h"
 
+#include "bench/option_values.h"
 #include "common/cvar.h"
 #include "common/error.h"
 #include "shared/techniques.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
-#include <functional>
-#include <map>
 
 namespace vigil::bench {
 
@@ -18,16 +15,8 @@ namespace {
 constexpr std::string_view usage =
     "--level NAME, --basedir FOLDER, --shared, --views N, --seeds S, --first-seed N, --warmup W, "
     "--size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, --baseline "
-    "LABEL, --reference NAME, --reference-paths N, --fresh, --curve, --curve-frames N, --quick, "
+    "LABEL, --reference ROW, --reference-paths N, --fresh, --curve, --curve-frames N, --quick, "
     "--json FILE";
-
-int parse_count(std::string_view option, std::string_view text, int low, int high) {
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || number < low || number > high)
-        fail("{} {}: expected a whole number, {} to {}", option, text, low, high);
-    return number;
-}
 
 bool is_technique(std::string_view name) {
     return std::ranges::any_of(technique_infos,
@@ -48,21 +37,6 @@ void set_quick(QualityOptions& options) {
     options.seeds = 3;
     options.warmup = 8;
     options.size = {160, 90};
-}
-
-void set_size(QualityOptions& options, std::string_view text) {
-    const std::size_t cross = text.find('x');
-    if (cross == std::string_view::npos) fail("--size {}: expected WIDTHxHEIGHT", text);
-    options.size = {parse_count("--size", text.substr(0, cross), 16, 16384),
-                    parse_count("--size", text.substr(cross + 1), 16, 16384)};
-}
-
-std::vector<std::filesystem::path> default_basedirs() {
-    std::vector<std::filesystem::path> folders = {".", VIGIL_SOURCE_DIR};
-    if (const char* shared = std::getenv("VIGIL_SHARED"))
-        folders.push_back(std::filesystem::path(shared) / "levels");
-    folders.push_back(std::filesystem::path(VIGIL_SOURCE_DIR) / "../shared/levels");
-    return folders;
 }
 
 /// Fills what the command line left open.
@@ -91,7 +65,13 @@ void complete(QualityOptions& options, std::vector<QualityRow> techniques,
     if (options.baseline.empty())
         options.baseline = has_row("sll") ? "sll" : options.rows.front().label;
     if (!has_row(options.baseline)) fail("--baseline {}: no such row", options.baseline);
-    if (options.reference.empty()) options.reference = is_technique("vlc") ? "vlc" : "sll";
+    // A row by its label, else a technique.
+    const std::string reference = options.reference.label.empty()
+                                      ? std::string(is_technique("vlc") ? "vlc" : "sll")
+                                      : options.reference.label;
+    const auto row = std::ranges::find(options.rows, reference, &QualityRow::label);
+    if (row == options.rows.end()) need_technique(reference);
+    options.reference = row != options.rows.end() ? *row : technique_row(reference);
 }
 
 } // namespace
@@ -127,15 +107,12 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
     QualityOptions options;
     std::vector<QualityRow> techniques, variants;
     std::vector<std::string> levels; // named ones replace the default
-    std::size_t next = 0;
-    const auto value = [&]() -> const std::string& {
-        if (next >= arguments.size()) fail("{} needs a value", arguments.back());
-        return arguments[next++];
-    };
+    OptionWords words(arguments);
+    const auto value = [&]() -> const std::string& { return words.value(); };
     const auto count = [&](std::string_view option, int& number, int low, int high) {
         number = parse_count(option, value(), low, high);
     };
-    const std::map<std::string_view, std::function<void()>> actions = {
+    const OptionWords::Actions actions = {
         {"--quick", [] {}}, // below, before all others
         {"--level", [&] { levels.push_back(value()); }},
         {"--basedir", [&] { options.basedirs.emplace_back(value()); }},
@@ -147,7 +124,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--seeds", [&] { count("--seeds", options.seeds, 1, 1000); }},
         {"--first-seed", [&] { count("--first-seed", options.first_seed, 0, 1000000); }},
         {"--warmup", [&] { count("--warmup", options.warmup, 0, 900); }},
-        {"--size", [&] { set_size(options, value()); }},
+        {"--size", [&] { options.size = parse_size("--size", value()); }},
         {"--technique",
          [&] {
              techniques.push_back(technique_row(value()));
@@ -157,15 +134,10 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--set",
          [&] {
              const std::string name = value();
-             if (!find_cvar(name)) fail("--set {}: no such variable", name);
-             options.settings.push_back({name, value()});
+             options.settings.push_back(parse_setting("--set", name, value()));
          }},
         {"--baseline", [&] { options.baseline = value(); }},
-        {"--reference",
-         [&] {
-             options.reference = value();
-             need_technique(options.reference);
-         }},
+        {"--reference", [&] { options.reference.label = value(); }},
         {"--reference-paths",
          [&] { count("--reference-paths", options.reference_paths, 2, 100000000); }},
         {"--fresh", [&] { options.fresh = true; }},
@@ -174,12 +146,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--json", [&] { options.json = value(); }},
     };
     if (std::ranges::find(arguments, "--quick") != arguments.end()) set_quick(options);
-    while (next < arguments.size()) {
-        const std::string& option = arguments[next++];
-        const auto action = actions.find(option);
-        if (action == actions.end()) fail("{}: unknown option; known are {}", option, usage);
-        action->second();
-    }
+    words.run(actions, usage);
     if (!levels.empty()) options.levels = std::move(levels);
     complete(options, std::move(techniques), variants);
     return options;

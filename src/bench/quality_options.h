@@ -30,7 +30,7 @@ struct QualityOptions {
     std::vector<Setting> settings;               // for all rows and references
     std::vector<QualityRow> rows;
     std::string baseline;          // label of the row that others are compared with
-    std::string reference;         // technique that renders references
+    QualityRow reference;          // renders references
     int views = 4;                 // places per level
     int seeds = 8;                 // repeats
     int first_seed = 1;            // pt_seed of the first

@@ -4,6 +4,7 @@
 #include "bench/quality_estimate.h"
 #include "common/cvar.h"
 #include "common/error.h"
+#include "common/output.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/passes.h"
 #include "refresh/vkpt/shader_library.h"
@@ -151,9 +152,7 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
     return result;
 }
 
-std::vector<std::vector<float>>
-QualityRenderer::stand_still(const Pose& pose, const QualityRow& row, int seed, int frames) {
-    begin_run(row, seed);
+std::vector<std::vector<float>> QualityRenderer::stand_still(const Pose& pose, int frames) {
     std::vector<std::vector<float>> pictures;
     for (int frame = 0; frame < frames; ++frame) {
         render(pose);
@@ -162,9 +161,16 @@ QualityRenderer::stand_still(const Pose& pose, const QualityRow& row, int seed, 
     return pictures;
 }
 
-void QualityRenderer::begin_reference(const Pose& pose, const std::string& technique) {
-    begin_run({technique, {{"pt_nee", technique}, {"pt_spp", "1"}}}, first_reference_seed - 1);
-    render(pose); // caches know something before they count
+void QualityRenderer::turn(const std::string& target, float yaw) {
+    session_->turn_entities(target, {0.0f, yaw, 0.0f});
+    turned_ = fmt::format(" turned {} {}", target, yaw);
+}
+
+void QualityRenderer::begin_reference(const Pose& pose, const QualityRow& row, int frames) {
+    begin_run(row, first_reference_seed - 1);
+    set("pt_spp", "1");
+    for (int frame = 0; frame < frames; ++frame) // what is learned helps those that count
+        render(pose);
 }
 
 std::vector<float> QualityRenderer::reference_batch(const Pose& pose, int number) {
@@ -176,19 +182,44 @@ std::vector<float> QualityRenderer::reference_batch(const Pose& pose, int number
     return renderer_->read_radiance().rgb;
 }
 
-std::string QualityRenderer::reference_key(const Pose& pose, const std::string& technique) const {
+std::string QualityRenderer::reference_key(const Pose& pose, const QualityRow& row) const {
+    // A row's variables come before those that all rows have.
+    const auto value_of = [&](std::string_view name) {
+        for (const std::vector<Setting>* settings : {&row.settings, &base_}) {
+            const auto own = std::ranges::find(*settings, name, &Setting::name);
+            if (own != settings->end()) return own->value;
+        }
+        return cvars().get_text(name);
+    };
+    const std::string technique = value_of("pt_nee");
     std::string key = fmt::format(
         "{} {:016x} {}x{} at {} {} {} angles {} {} {} time {} by {} {:016x} paths {}", level_name_,
         content_hash_, cvars()->vid_width, cvars()->vid_height, pose.origin.x, pose.origin.y,
         pose.origin.z, pose.angles.x, pose.angles.y, pose.angles.z, pose.time_s, technique,
         shader_hash(technique), reference_batch_paths);
+    key += turned_;
     for (const CvarInfo& info : cvar_infos) {
         if (!changes_reference(info.name)) continue;
-        const auto own = std::ranges::find(base_, info.name, &Setting::name);
-        const std::string value = own != base_.end() ? own->value : cvars().get_text(info.name);
+        const std::string value = value_of(info.name);
         if (value != cvar_default_text(info)) key += fmt::format(" {} {}", info.name, value);
     }
     return key;
+}
+
+void QualityRenderer::complete(Reference& reference, const Pose& pose, const ReferenceJob& job) {
+    const std::string key = reference_key(pose, job.row);
+    const std::filesystem::path path = output_path(
+        fmt::format("cache/reference-{:016x}.bin", hash_bytes(std::as_bytes(std::span(key)))));
+    if (!job.fresh) reference.load(path, key);
+    const int before = reference.batches();
+    while (!job.finished()) {
+        if (reference.batches() == before) begin_reference(pose, job.row, job.warmup);
+        reference.add(reference_batch(pose, reference.batches()));
+        job.noted();
+        // So that an interrupted run loses little.
+        if (reference.batches() % 16 == 0) reference.save(path, key);
+    }
+    if (reference.batches() > before) reference.save(path, key);
 }
 
 } // namespace vigil::bench

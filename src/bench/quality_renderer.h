@@ -5,10 +5,12 @@
 
 #include "bench/quality_options.h"
 #include "bench/quality_places.h"
+#include "bench/reference.h"
 #include "client/session.h"
 #include "refresh/vkpt/renderer.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,21 +46,34 @@ public:
 
     /// Renders the warm-up and the measured frame from empty caches.
     Measurement measure(const Place& place, const QualityRow& row, int seed);
-    /// The pictures of `frames` frames that stand still at the pose, from empty caches.
-    std::vector<std::vector<float>> stand_still(const Pose& pose, const QualityRow& row, int seed,
-                                                int frames);
+    /// Sets a row's variables and empties all caches, for stand_still().
+    void begin_run(const QualityRow& row, int seed);
+    /// The pictures of `frames` more frames that stand still at the pose.
+    std::vector<std::vector<float>> stand_still(const Pose& pose, int frames);
+    /// Turns brush models as the console's `turn` does; degrees. References know it.
+    void turn(const std::string& target, float yaw);
 
-    /// Goes to the pose for reference_batch(), with empty caches.
-    void begin_reference(const Pose& pose, const std::string& technique);
+    /// Who renders a reference, and how.
+    struct ReferenceJob {
+        const QualityRow& row;
+        int warmup;                     // frames before the first batch
+        bool fresh;                     // does not go on with the one in the cache
+        std::function<bool()> finished; // asked before every batch
+        std::function<void()> noted;    // called after every batch
+    };
+    /// Brings the reference of a pose from the cache and adds batches until it is finished; they go
+    /// into the cache.
+    void complete(Reference& reference, const Pose& pose, const ReferenceJob& job);
+
+private:
+    /// Goes to the pose for reference_batch(), and renders `frames` frames from empty caches.
+    void begin_reference(const Pose& pose, const QualityRow& row, int frames);
     /// Mean picture of reference_batch_paths paths; the number chooses the seed, which no measured
     /// frame has.
     std::vector<float> reference_batch(const Pose& pose, int number);
     /// Everything that a reference depends on, as one line of text: level, view, size, variables
     /// and shaders.
-    std::string reference_key(const Pose& pose, const std::string& technique) const;
-
-private:
-    void begin_run(const QualityRow& row, int seed);
+    std::string reference_key(const Pose& pose, const QualityRow& row) const;
     void set(const std::string& name, const std::string& value);
     std::uint64_t render(const Pose& pose);
 
@@ -68,6 +83,7 @@ private:
     std::unique_ptr<vkpt::VkptRenderer> renderer_;
     std::unique_ptr<client::Session> session_;
     std::vector<Place> places_;
+    std::string turned_;             // what turn() did, as text
     std::uint64_t content_hash_ = 0; // of the level's file and its materials
 };
 

@@ -17,8 +17,10 @@ namespace vigil::bench {
 /// One row of a level; every Strata is [view][seed].
 struct RowResult {
     QualityRow row;
-    Strata mse, trimmed_mse, relative_mse, mean_ratio;
-    Strata trimmed_variance;     // of the reference, in the pixels that trimmed_mse is about
+    Strata mse, trimmed_mse, bright_mse, relative_mse, mean_ratio;
+    // Of the reference, in the pixels that trimmed_mse and bright_mse are about. Views without
+    // bright pixels are left out of the latter.
+    Strata trimmed_variance, bright_variance;
     Strata unlit, explored;      // shares of primary hits
     std::vector<Strata> pass_ms; // by pass
     Strata prepare_ms, path_ms;  // sums: passes of guiding; primary, direct and indirect

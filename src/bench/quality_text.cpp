@@ -195,6 +195,12 @@ std::string quality_text(const QualityOptions& options, const LevelResult& resul
         error_table(options, result, &RowResult::relative_mse, "rel. MSE", [&](const RowResult&) {
             return mean_over_views(result.views, &ViewResult::relative_variance);
         });
+    if (!result.rows.front().bright_mse.empty()) {
+        text += '\n';
+        text += error_table(
+            options, result, &RowResult::bright_mse, "bright",
+            [](const RowResult& row) { return mean_interval(row.bright_variance).value; });
+    }
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
             time_table(options, result);
     if (result.nonfinite > 0)

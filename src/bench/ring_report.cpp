@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/ring_report.h"
+
+#include <fmt/format.h>
+
+namespace vigil::bench {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json to_json(const Interval& interval) {
+    return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
+}
+
+} // namespace
+
+Interval before(const RingRow& row) {
+    return mean_interval({row.before});
+}
+
+Interval in_frame(const RingRow& row, std::size_t frame) {
+    return mean_interval({row.frames[frame]});
+}
+
+Settled settled_after(const RingRow& row) {
+    std::vector<double> means;
+    for (std::size_t frame = 0; frame < row.frames.size(); ++frame)
+        means.push_back(in_frame(row, frame).value);
+    return settle(means, ring_tail, ring_factor);
+}
+
+std::string ring_text(const RingTurn& turn) {
+    const RingRow& brdf = turn.rows.back();
+    const double baseline = settled_after(brdf).level;
+    std::string text =
+        fmt::format("\nturned by {} degrees; reference variance {:.3g}\n"
+                    "  {:<10}{:>12}{:>12}{:>12}{:>12}{:>14}{:>14}\n",
+                    turn.degrees, turn.reference_variance, "row", "MSE before", "frame 1",
+                    "settled", "from frame", "frame 1/brdf", "settled/brdf");
+    for (const RingRow& row : turn.rows) {
+        const Settled settled = settled_after(row);
+        const double first = in_frame(row, 0).value;
+        text += fmt::format("  {:<10}{:>12.3g}{:>12.3g}{:>12.3g}{:>12}{:>14.3g}{:>14.3g}\n",
+                            row.row.label, before(row).value, first, settled.level, settled.frame,
+                            first / baseline, settled.level / baseline);
+    }
+    return text;
+}
+
+std::string ring_csv(const std::vector<RingTurn>& turns) {
+    std::string text = "degrees,row,frame,mse,low,high\n";
+    for (const RingTurn& turn : turns) {
+        for (const RingRow& row : turn.rows) {
+            const auto add = [&](std::size_t frame, const Interval& mse) {
+                text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", turn.degrees, row.row.label,
+                                    frame, mse.value, mse.low, mse.high);
+            };
+            add(0, before(row));
+            for (std::size_t frame = 0; frame < row.frames.size(); ++frame)
+                add(frame + 1, in_frame(row, frame));
+        }
+    }
+    return text;
+}
+
+ordered_json ring_json(const RingTurn& turn) {
+    ordered_json rows = ordered_json::array();
+    for (const RingRow& row : turn.rows) {
+        ordered_json variables = ordered_json::object();
+        for (const Setting& setting : row.row.settings)
+            variables[setting.name] = setting.value;
+        ordered_json frames = ordered_json::array();
+        for (std::size_t frame = 0; frame < row.frames.size(); ++frame) {
+            frames.push_back(to_json(in_frame(row, frame)));
+            frames.back()["by_seed"] = row.frames[frame];
+        }
+        ordered_json start = to_json(before(row));
+        start["by_seed"] = row.before;
+        const Settled settled = settled_after(row);
+        rows.push_back({{"label", row.row.label},
+                        {"variables", std::move(variables)},
+                        {"before", std::move(start)},
+                        {"settled", settled.level},
+                        {"settled_frame", settled.frame},
+                        {"frames", std::move(frames)}});
+    }
+    return {{"degrees", turn.degrees},
+            {"reference_variance", turn.reference_variance},
+            {"rows", std::move(rows)}};
+}
+
+} // namespace vigil::bench
