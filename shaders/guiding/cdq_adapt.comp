@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `cdq_adapt` (paper, section 5.1): one work group, of one subgroup, per old leaf with samples. It adds up the squared contributions of
-// the leaf's rays in the leaves of its directional quadtree, and lets the quadtree's leaves migrate from where they contribute
+// the leaf's rays in the leaves of its directional quadtree, to those of earlier rays that it remembers, and lets the quadtree's leaves migrate from where they contribute
 // least to where they contribute most.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -14,6 +14,8 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint CDQ_BITS = 128u;
 const uint LANES = gl_WorkGroupSize.x;
 const uint MOST_LANES = 128u;
+// Of what a leaf remembers, from frame to frame.
+const float MOST_KEPT = 0.98;
 
 shared uint sums[CDQ_MOST_BITS];        // squared contributions by leaf, as floats' bits
 shared uint first_child[CDQ_MOST_BITS]; // of inner nodes; 0: a leaf
@@ -23,6 +25,13 @@ shared uint lane_leaf[MOST_LANES];
 shared uint lane_inner[MOST_LANES];
 
 float sum_of(uint node) { return uintBitsToFloat(sums[node]); }
+
+/// What a quadtree leaf at `depth` adds to the second moment of its rays, in proportion: its sum over the mean density with which
+/// rays are drawn there now, by the BRDF or by the tree.
+float moment_of(uint node, uint depth) {
+    const float by_tree = float(1u << (2u * depth)) / (float(cdq_leaf_count(CDQ_BITS)) * 2.0);
+    return sum_of(node) / mix(by_tree, 1.0, settings.brdf_part);
+}
 
 void add_sum(uint node, float value) {
     uint seen = sums[node];
@@ -63,21 +72,26 @@ void accumulate(uint first, uint count) {
 /// Looks for the leaf that contributes most and may be split, and for the inner node above leaves that contributes least.
 void search(uvec4 tree, out uint leaf, out uint inner) {
     const uint lane = gl_LocalInvocationID.x;
-    float most = -1.0;
+    float most = 0.0;
     float least = 3e38;
     uint own_leaf = NONE;
     uint own_inner = NONE;
     for (uint node = lane; node < CDQ_BITS; node += LANES) {
         const uint child = first_child[node];
         if (child == 0u) {
-            if (sum_of(node) > most && cdq_cell(tree, node).depth < CDQ_MAX_DEPTH) {
-                most = sum_of(node);
+            if (!(sum_of(node) > 0.0)) continue;
+            const uint depth = cdq_cell(tree, node).depth;
+            const float moment = moment_of(node, depth);
+            if (moment > most && depth < CDQ_MAX_DEPTH) {
+                most = moment;
                 own_leaf = node;
             }
         } else if ((first_child[child] | first_child[child + 1u] | first_child[child + 2u] | first_child[child + 3u]) == 0u) {
-            const float sum = sum_of(child) + sum_of(child + 1u) + sum_of(child + 2u) + sum_of(child + 3u);
-            if (sum < least) {
-                least = sum;
+            float moment = 0.0;
+            const uint depth = cdq_cell(tree, child).depth;
+            for (uint i = 0u; i < 4u; ++i) moment += moment_of(child + i, depth);
+            if (moment < least) {
+                least = moment;
                 own_inner = node;
             }
         }
@@ -141,7 +155,12 @@ void main() {
     const uint words = leaf_word(LEAF_CDQ, 4u, octree_leaf_index);
     uvec4 tree = uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]);
 
-    for (uint node = lane; node < CDQ_BITS; node += LANES) sums[node] = 0u;
+    // A sixth of a frame's pixels in a leaf say too little about 97 directions: earlier rays count as well, the
+    // less the more new ones there are.
+    const float kept = settings.sum_words > 0u ? clamp(1.0 - float(old_leaf_count(octree_leaf_index)) / float(settings.memory_rays), 0.0, MOST_KEPT) : 0.0;
+    const uint memory = leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, octree_leaf_index);
+    for (uint node = lane; node < CDQ_BITS; node += LANES)
+        sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
     find_children(tree);
     barrier();
     accumulate(old_leaves[storage], rays);
@@ -153,7 +172,7 @@ void main() {
         search(tree, leaf, inner);
         if (leaf == NONE) break;
         const uvec4 after = cdq_migrate(tree, inner, leaf);
-        if (migrated + 1u < settings.migrations) {
+        if (migrated + 1u < settings.migrations || settings.sum_words > 0u) {
             move_sums(after, inner, leaf);
             barrier();
             find_children(after);
@@ -161,6 +180,8 @@ void main() {
         }
         tree = after;
     }
+    for (uint word = lane; word < min(settings.sum_words, CDQ_BITS / 2u); word += LANES)
+        old_leaves[memory + word] = pack_sums(min(sum_of(2u * word), 1e37), min(sum_of(2u * word + 1u), 1e37));
     if (lane == 0u && migrated > 0u) {
         for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = tree[word];
         atomicAdd(work.cdq_migrations, migrated);

@@ -105,6 +105,9 @@ void main() {
     new_leaves[leaf_word(LEAF_RAYS, 1u, leaf)] = 0u;
     for (uint word = 0u; word < 4u; ++word)
         new_leaves[leaf_word(LEAF_CDQ, 4u, leaf) + word] = old_leaves[leaf_word(LEAF_CDQ, 4u, source) + word];
+    for (uint word = 0u; word < settings.sum_words; ++word)
+        new_leaves[leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, leaf) + word] =
+            old_leaves[leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, source) + word];
     const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
     const uint old_cache = leaf_word(LEAF_VLC, 2u, source);
     new_leaves[cache] = old_leaves[old_cache];

@@ -72,7 +72,7 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
 }
 
 void learn_direction(Guided guided, vec3 brought) {
-    if (CDQ_BITS != 0u && path_index == 0u) store_ray_sample(guided.leaf, guided.grid, luminance(brought) / guided.pdf);
+    if (CDQ_BITS != 0u && path_index == 0u) store_ray_sample(guided.leaf, guided.grid, luminance(brought) * inversesqrt(guided.pdf));
 }
 
 vec3 trace_path(Surface surface, inout Random random) {

@@ -31,9 +31,22 @@ SHADER_CONST uint LEAF_CACHED =
     13u; // 1 word: lights in the cache, and LEAF_INHERITED if they are those of a larger leaf
 SHADER_CONST uint LEAF_RAYS = 14u;  // 1 word: ray samples that fell into the leaf
 SHADER_CONST uint LEAF_CDQ = 15u;   // 4 words: directional quadtree (cdq.h)
-SHADER_CONST uint LEAF_WORDS = 19u; // per leaf altogether
+SHADER_CONST uint LEAF_WORDS = 19u; // per leaf altogether, but for the next one:
+SHADER_CONST uint LEAF_SUMS = 19u;  // CDQ_SUM_WORDS words, only where rays are guided: what the
+                                    // quadtree's leaves contributed lately, two per word
+SHADER_CONST uint CDQ_SUM_WORDS = 64u;
 
 SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
+
+/// Two sums in a word: the upper halves of their floats, rounded (bfloat16). Not negative, below 3e38.
+SHADER_FN uint pack_sums(float low, float high) {
+    return ((floatBitsToUint(low) + 0x8000u) >> 16u) |
+           ((floatBitsToUint(high) + 0x8000u) & 0xffff0000u);
+}
+
+SHADER_FN float unpack_sum(uint word, uint half_index) {
+    return uintBitsToFloat(half_index == 0u ? word << 16u : word & 0xffff0000u);
+}
 
 /// Index of a leaf's first word in the array of `width` words per leaf that begins at LEAF_`array`.
 SHADER_FN uint leaf_array_word(uint array, uint width, uint leaf, uint node_capacity) {
@@ -91,6 +104,10 @@ struct GuidingSettings {
     uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;   // of a directional quadtree in a frame, at most
     float margin;      // how far a migration must pay off
+    uint memory_rays;  // a directional quadtree follows about so many of its last rays; 0: those of
+                       // the last frame
+    float brdf_part;   // of the rays, drawn by the BRDF
+    uint sum_words;    // per leaf in use: CDQ_SUM_WORDS, or 0 without quadtrees or memory
 };
 
 /// Counted anew each frame: the passes begin with all of it 0 (but the group counts' y and z, which

@@ -91,6 +91,8 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame) {
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
     options.settings.migrations = static_cast<uint32_t>(cvars()->pt_cdq_migrations);
     options.settings.margin = cvars()->pt_cdq_margin;
+    options.settings.brdf_part = cvars()->pt_cdq_brdf;
+    options.settings.memory_rays = static_cast<uint32_t>(cvars()->pt_cdq_rays);
     options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
     options.settings.merge_faces = cvars()->pt_vlc_merge != 0 ? all_faces : 0;
     if (cvars()->pt_vlc_persist >= persist_for_half)
@@ -117,6 +119,8 @@ bool Guiding::prepare(const Options& options) {
     restart_ |= options_.settings.bucket != options.settings.bucket ||
                 options_.cdq_bits != options.cdq_bits || options_.lights != options.lights;
     options_ = options;
+    options_.settings.sum_words =
+        options.cdq_bits > 0 && options.settings.memory_rays > 0 ? shader::CDQ_SUM_WORDS : 0;
     if (options_.cdq_bits > 0 && !cdq_adapt_[options_.cdq_bits / 32 - 1]) {
         const std::array constants{gpu::Specialization{0, device_.features().subgroup_size},
                                    gpu::Specialization{1, options_.cdq_bits}};
@@ -142,7 +146,9 @@ void Guiding::make_buffers() {
     for (Tree& tree : trees_) {
         tree.nodes = make(1 + nodes, "octree nodes");
         tree.cells = make(2 * nodes, "octree cells");
-        tree.leaves = make(shader::LEAF_WORDS * leaves, "octree leaves");
+        const uint32_t words =
+            shader::LEAF_WORDS + (options_.cdq_bits > 0 ? shader::CDQ_SUM_WORDS : 0);
+        tree.leaves = make(words * leaves, "octree leaves");
         tree.caches = make(header_.vlc_capacity, "light caches");
     }
     plan_ = make(plan_words * nodes, "octree plan");
@@ -204,6 +210,7 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     const std::vector<glm::uvec4> quadtrees(
         8, shader::cdq_even_tree(std::max(options_.cdq_bits, 32u)));
     set(shader::LEAF_CDQ, gpu::bytes_of(quadtrees));
+    if (options_.cdq_bits > 0) fill(shader::LEAF_SUMS, shader::CDQ_SUM_WORDS, 0);
     restart_ = false;
 }
 
