@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `cdq_adapt` (paper, section 5.1): one work group, of one subgroup, per old leaf with samples. It adds up the squared contributions of
 // the leaf's rays in the leaves of its directional quadtree, and lets the quadtree's leaves migrate from where they contribute
-// least to where they contribute most.
+// least to where they contribute most. Of very many rays it takes some, evenly.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -45,9 +45,9 @@ uint find_node(uvec2 grid) {
 }
 
 /// Adds up the samples: lanes that found the same leaf first among themselves, then in shared memory.
-void accumulate(uint first, uint count) {
+void accumulate(uint first, uint count, uint stride) {
     for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
-        const uint ray = ray_samples[first + i];
+        const uint ray = ray_samples[first + i * stride];
         const float contribution = ray_sample_contribution(ray);
         const uint node = find_node(ray_sample_grid(ray));
         for (;;) {
@@ -144,7 +144,8 @@ void main() {
     for (uint node = lane; node < CDQ_BITS; node += LANES) sums[node] = 0u;
     find_children(tree);
     barrier();
-    accumulate(old_leaves[storage], rays);
+    const uint processed = min(rays, CDQ_MOST_RAYS);
+    accumulate(old_leaves[storage], processed, rays / processed);
     barrier();
     uint migrated = 0u;
     for (; migrated < settings.migrations; ++migrated) {
