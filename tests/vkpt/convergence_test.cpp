@@ -241,7 +241,8 @@ TEST_F(TurningSun, GuidedRaysOfAllTechniques) {
             mean_picture(shot, 1000 + batch, 16u * static_cast<uint32_t>(path_factor()), false));
 
     // Every frame has one path per pixel, whose rays the next frame's quadtrees are made of.
-    const int sequences = 3 * path_factor();
+    // More of them would not hurt but for the validation layer, whose memory grows with frames.
+    const int sequences = 2 * path_factor();
     set("pt_guide", "cdq");
     for (const TechniqueInfo& info : technique_infos) {
         SCOPED_TRACE(info.name);
@@ -260,7 +261,7 @@ TEST_F(TurningSun, GuidedRaysOfAllTechniques) {
             }
             sampled.add(sum);
         }
-        judge(fmt::format("{:8}", info.name), sampled, brute, 0.03);
+        judge(fmt::format("{:8}", info.name), sampled, brute, 0.035);
         // Quadtrees were changing all the time.
         EXPECT_GT(*std::ranges::min_element(migrations_), 0u);
     }
