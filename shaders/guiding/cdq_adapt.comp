@@ -1,8 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `cdq_adapt` (paper, section 5.1): one work group, of one subgroup, per old leaf with samples. It adds up the squared contributions of
-// the leaf's rays in the leaves of its directional quadtree, to those of earlier rays that it remembers, and lets the quadtree's leaves migrate from where they contribute
-// least to where they contribute most.
+// the leaf's rays in the leaves of its directional quadtree, to those of earlier rays that it remembers, and lets the quadtree's leaves
+// migrate from where they contribute least to where they contribute most. Of very many rays it takes some, evenly.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -14,8 +14,6 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint CDQ_BITS = 128u;
 const uint LANES = gl_WorkGroupSize.x;
 const uint MOST_LANES = 128u;
-// Of what a leaf remembers, from frame to frame.
-const float MOST_KEPT = 0.98;
 
 shared uint sums[CDQ_MOST_BITS];        // squared contributions by leaf, as floats' bits
 shared uint first_child[CDQ_MOST_BITS]; // of inner nodes; 0: a leaf
@@ -26,12 +24,9 @@ shared uint lane_inner[MOST_LANES];
 
 float sum_of(uint node) { return uintBitsToFloat(sums[node]); }
 
-/// What a quadtree leaf at `depth` adds to the second moment of its rays, in proportion: its sum over the mean density with which
-/// rays are drawn there now, by the BRDF or by the tree.
-float moment_of(uint node, uint depth) {
-    const float by_tree = float(1u << (2u * depth)) / (float(cdq_leaf_count(CDQ_BITS)) * 2.0);
-    return sum_of(node) / mix(by_tree, 1.0, settings.brdf_part);
-}
+/// What a quadtree leaf at `depth` adds to the second moment of its rays, in proportion: its sum over the density with which rays are
+/// drawn there now.
+float moment_of(uint node, uint depth) { return sum_of(node) / (float(1u << (2u * depth)) + settings.even_density); }
 
 void add_sum(uint node, float value) {
     uint seen = sums[node];
@@ -54,9 +49,9 @@ uint find_node(uvec2 grid) {
 }
 
 /// Adds up the samples: lanes that found the same leaf first among themselves, then in shared memory.
-void accumulate(uint first, uint count) {
+void accumulate(uint first, uint count, uint stride) {
     for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
-        const uint ray = ray_samples[first + i];
+        const uint ray = ray_samples[first + i * stride];
         const float contribution = ray_sample_contribution(ray);
         const uint node = find_node(ray_sample_grid(ray));
         for (;;) {
@@ -155,15 +150,16 @@ void main() {
     const uint words = leaf_word(LEAF_CDQ, 4u, octree_leaf_index);
     uvec4 tree = uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]);
 
-    // A sixth of a frame's pixels in a leaf say too little about 97 directions: earlier rays count as well, the
-    // less the more new ones there are.
-    const float kept = settings.sum_words > 0u ? clamp(1.0 - float(old_leaf_count(octree_leaf_index)) / float(settings.memory_rays), 0.0, MOST_KEPT) : 0.0;
+    // The few rays of one frame say too little about a hundred directions: earlier ones count as well, the less the more new ones
+    // there are.
+    const float kept = cdq_kept(settings, old_leaf_count(octree_leaf_index));
     const uint memory = leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, octree_leaf_index);
     for (uint node = lane; node < CDQ_BITS; node += LANES)
         sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
     find_children(tree);
     barrier();
-    accumulate(old_leaves[storage], rays);
+    const uint processed = min(rays, CDQ_MOST_RAYS);
+    accumulate(old_leaves[storage], processed, rays / processed);
     barrier();
     uint migrated = 0u;
     for (; migrated < settings.migrations; ++migrated) {

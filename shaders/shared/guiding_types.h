@@ -5,6 +5,7 @@
 #ifndef VIGIL_SHARED_GUIDING_TYPES_H
 #define VIGIL_SHARED_GUIDING_TYPES_H
 
+#include "cdq.h"
 #include "glsl.h"
 
 SHADER_BEGIN
@@ -38,7 +39,8 @@ SHADER_CONST uint CDQ_SUM_WORDS = 64u;
 
 SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
 
-/// Two sums in a word: the upper halves of their floats, rounded (bfloat16). Not negative, below 3e38.
+/// Two sums in a word: the upper halves of their floats, rounded (bfloat16). Not negative, below
+/// 3e38.
 SHADER_FN uint pack_sums(float low, float high) {
     return ((floatBitsToUint(low) + 0x8000u) >> 16u) |
            ((floatBitsToUint(high) + 0x8000u) & 0xffff0000u);
@@ -84,6 +86,9 @@ SHADER_FN float ray_sample_contribution(uint packed_sample) {
 /// together: each of the VLC_LEAST_LANES puts at most 512 of a leaf's samples, or 896 lights of it
 /// and its neighbours, into buckets of at most 64 slots.
 SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
+/// The same for a leaf's ray samples, for the same reasons: each lane of a subgroup of four looks
+/// at 1,024, and finding a quadtree's leaf takes 11 rounds at most.
+SHADER_CONST uint CDQ_MOST_RAYS = 4096u;
 /// Invocations of the work groups that make caches: a subgroup, but no fewer than these.
 SHADER_CONST uint VLC_LEAST_LANES = 8u;
 /// The hash table in shared memory: light ids, and buckets (ids with equal remainder).
@@ -106,9 +111,21 @@ struct GuidingSettings {
     float margin;      // how far a migration must pay off
     uint memory_rays;  // a directional quadtree follows about so many of its last rays; 0: those of
                        // the last frame
-    float brdf_part;   // of the rays, drawn by the BRDF
-    uint sum_words;    // per leaf in use: CDQ_SUM_WORDS, or 0 without quadtrees or memory
+    float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
+    uint sum_words;     // per leaf in use: CDQ_SUM_WORDS, or 0 without quadtrees or memory
 };
+
+/// Part of a directional quadtree's sums that is kept in a frame which brings `rays` new ones.
+SHADER_FN float cdq_kept(GuidingSettings settings, uint rays) {
+    if (settings.sum_words == 0u) return 0.0f;
+    return clamp(1.0f - float(rays) / float(settings.memory_rays), 0.0f, 0.98f);
+}
+
+/// The density that the BRDF adds to a quadtree's, in units in which that of a leaf is 4^depth.
+/// Rays of the BRDF are taken as spread evenly over a hemisphere; `brdf_part` of all rays are such.
+SHADER_FN float cdq_even_density(uint bits, float brdf_part) {
+    return 2.0f * float(cdq_leaf_count(bits)) * brdf_part / max(1.0f - brdf_part, 1e-6f);
+}
 
 /// Counted anew each frame: the passes begin with all of it 0 (but the group counts' y and z, which
 /// are 1).

@@ -75,6 +75,7 @@ RingTurn measure_turn(const RingOptions& options, QualityRenderer& renderer, con
 
 int run_ring_bench(std::span<const std::string> arguments) {
     cvars().set("pt_jitter", "0"); // references show the pixels that single frames show
+    cvars().set("fov", "50");      // the floor and nothing else
     const RingOptions options = parse_ring_options(arguments);
     for (const Setting& setting : options.settings)
         cvars().set(setting.name, setting.value);

@@ -3,6 +3,7 @@
 #include "guiding_fixture.h"
 
 #include "refresh/vkpt/gpu/commands.h"
+#include "shared/cdq.h"
 #include "shared/octree.h"
 
 #include <array>
@@ -76,15 +77,17 @@ const gpu::Device& GuidingTest::device() {
     return shared->device;
 }
 
-void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size) {
+void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size,
+                        uint32_t cdq_bits) {
     picture_size_ = picture_size;
+    cdq_bits_ = cdq_bits;
     guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f);
     start_anew(settings);
 }
 
 void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     settings_ = settings;
-    guiding().prepare({glm::uvec2(picture_size_), settings});
+    guiding().prepare({glm::uvec2(picture_size_), settings, cdq_bits_});
 
     // The first frame starts from a tree that exists nowhere yet.
     frame_ = 0;
@@ -98,6 +101,12 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
         root.source[leaf] = leaf;
     state_ = state_after(root, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
                          std::vector<uint32_t>(guiding().header().vlc_capacity));
+    if (cdq_bits_ > 0) {
+        take_quadtrees(state_, seen, cdq_bits_,
+                       std::vector<uint32_t>(guiding().header().sample_capacity));
+        for (const auto& [path, leaf] : state_.leaves)
+            EXPECT_EQ(field_of(leaf.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
+    }
     for (uint32_t leaf = 0; leaf < 8; ++leaf) {
         EXPECT_EQ(seen.at(shader::LEAF_VLC, 2, leaf, 1), 0u) << "leaf " << leaf;
         EXPECT_EQ(seen.at(shader::LEAF_CACHED, 1, leaf), 0u) << "leaf " << leaf;
@@ -131,6 +140,7 @@ void GuidingTest::upload() {
     gpu::upload_now(device(), tree.leaves, 0, gpu::bytes_of(words.leaves));
     gpu::upload_now(device(), guiding().samples(), 0, gpu::bytes_of(state_.samples));
     gpu::upload_now(device(), tree.caches, 0, gpu::bytes_of(state_.caches));
+    if (cdq_bits_ > 0) gpu::upload_now(device(), guiding().rays(), 0, gpu::bytes_of(state_.rays));
 }
 
 void GuidingTest::run_passes() {
@@ -154,6 +164,15 @@ void GuidingTest::ask_oracle() {
     caches_ = make_caches(state_.inner, samples,
                           {settings_.bucket, settings_.small_bucket, settings_.merge_faces,
                            header.vlc_capacity, settings_.persist});
+    if (cdq_bits_ == 0) return;
+    quadtrees_.clear();
+    for (const auto& [path, leaf] : state_.leaves) {
+        // Leaves that no surface fell into are not looked at.
+        const uint32_t rays = leaf.count > 0 ? leaf.kept_rays() : 0;
+        quadtrees_[path] =
+            adapt_quadtree(leaf.quadtree, std::span(state_.rays).subspan(leaf.first_sample, rays),
+                           {settings_.migrations, settings_.margin, settings_.even_density});
+    }
 }
 
 void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
@@ -170,7 +189,14 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
           compare_handed_on(tree_, caches_, seen, state_.inner, seen_old),
           compare_statistics(state_, tree_, caches_, statistics_)})
         ASSERT_TRUE(found.empty()) << found.text();
+    if (cdq_bits_ > 0) {
+        const Disagreements found =
+            compare_quadtrees(state_, quadtrees_, cdq_bits_, seen_old, statistics_);
+        ASSERT_TRUE(found.empty()) << found.text();
+    }
+    std::vector<uint32_t> rays = std::move(state_.rays);
     state_ = state_after(tree_, caches_, seen, std::move(state_.samples), lights);
+    if (cdq_bits_ > 0) take_quadtrees(state_, seen, cdq_bits_, std::move(rays));
 }
 
 void GuidingTest::frame() {

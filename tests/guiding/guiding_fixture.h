@@ -23,7 +23,9 @@ protected:
 
     /// Makes room for a picture this wide and high; starts with the root divided once and runs a
     /// frame on it.
-    void start(const shader::GuidingSettings& settings, uint32_t picture_size = 256);
+    /// With `cdq_bits`, its leaves have quadtrees of so many bits.
+    void start(const shader::GuidingSettings& settings, uint32_t picture_size = 256,
+               uint32_t cdq_bits = 0);
     /// Takes other settings that make the octree start anew by themselves, and runs a frame.
     void start_anew(const shader::GuidingSettings& settings);
 
@@ -45,6 +47,7 @@ protected:
     TreeState state_;                  // what the next frame starts from
     AdaptedOctree tree_;               // made in the last frame
     Caches caches_;                    // on the tree before
+    AdaptedByLeaf quadtrees_;          // on the tree before, if leaves have quadtrees
     shader::GuidingWork statistics_{}; // seen in the last frame
     shader::GuidingSettings settings_{};
 
@@ -56,6 +59,7 @@ private:
 
     Dice garbage_{99};
     uint32_t picture_size_ = 0;
+    uint32_t cdq_bits_ = 0;
     int frame_ = 0;
 };
 

@@ -4,6 +4,7 @@
 // wrong. Nothing here resembles a level.
 #pragma once
 
+#include "cdq_oracle.h"
 #include "dice.h"
 #include "shared/guiding_types.h"
 #include "vlc_oracle.h"
@@ -24,7 +25,10 @@ struct LeafState {
     uint32_t buckets = 0;
     Ages cached;            // lights in the cache
     bool inherited = false; // the cache is a larger leaf's
+    uint32_t rays = 0;      // ray samples that fell into it; they share the room
+    Squares quadtree;       // empty where none are kept
     uint32_t kept() const { return std::min(count, room); }
+    uint32_t kept_rays() const { return std::min(rays, room); }
 };
 
 /// A tree after a frame was rendered with it.
@@ -33,6 +37,7 @@ struct TreeState {
     ByPath<LeafState> leaves;
     std::vector<uint32_t> samples; // the whole buffer; garbage where no leaf has a sample
     std::vector<uint32_t> caches;  // the same for the lights of caches
+    std::vector<uint32_t> rays;    // the same for ray samples; none without quadtrees
 };
 
 /// Which light ids samples have. A leaf draws its `lights` from one of four ranges, so that

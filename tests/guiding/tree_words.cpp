@@ -44,6 +44,13 @@ size_t lights_in(const Cache& cache) {
     return lights;
 }
 
+glm::uvec4 quadtree_at(const TreeWords& words, uint32_t leaf) {
+    glm::uvec4 field;
+    for (uint32_t word = 0; word < 4; ++word)
+        field[static_cast<int>(word)] = words.at(LEAF_CDQ, 4, leaf, word);
+    return field;
+}
+
 struct Range {
     uint64_t first, end;
     Path leaf;
@@ -118,6 +125,12 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         words.at(LEAF_VLC, 2, number, 1) = leaf.buckets;
         words.at(LEAF_CACHED, 1, number) =
             static_cast<uint32_t>(leaf.cached.size()) + (leaf.inherited ? LEAF_INHERITED : 0);
+        if (!state.rays.empty()) {
+            words.at(LEAF_RAYS, 1, number) = leaf.rays;
+            const glm::uvec4 field = field_of(leaf.quadtree);
+            for (uint32_t word = 0; word < 4; ++word)
+                words.at(LEAF_CDQ, 4, number, word) = field[static_cast<int>(word)];
+        }
         for (int face = 0; face < 6; ++face)
             words.at(LEAF_NEIGHBOURS, 6, number, face) =
                 neighbour_number(state.inner, numbers, path, face);
@@ -271,6 +284,43 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
     return found;
 }
 
+Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expected, uint32_t bits,
+                                const TreeWords& seen_old, const GuidingWork& statistics) {
+    Disagreements found;
+    const Numbering numbers(old.inner);
+    uint32_t fewest = 0, most = 0;
+    for (const auto& [path, leaf] : old.leaves) {
+        const uint32_t number = numbers.leaf(path);
+        const glm::uvec4 field = quadtree_at(seen_old, number);
+        const auto text = [](glm::uvec4 words) {
+            return fmt::format("{:08x} {:08x} {:08x} {:08x}", words.x, words.y, words.z, words.w);
+        };
+        const AdaptedQuadtrees& adapted = expected.at(path);
+        bool match = false;
+        uint32_t least = UINT32_MAX, largest = 0;
+        for (const AdaptedQuadtree& tree : adapted.allowed) {
+            match |= field_of(tree.inner) == field;
+            least = std::min(least, tree.migrations);
+            largest = std::max(largest, tree.migrations);
+        }
+        if (!match)
+            found.add(
+                fmt::format("{}: quadtree {} with {} rays, {} stored: expected {}{}, seen {}{}",
+                            name(path, numbers), text(field_of(leaf.quadtree)), leaf.rays,
+                            leaf.kept_rays(), text(field_of(adapted.allowed.begin()->inner)),
+                            adapted.allowed.size() > 1
+                                ? fmt::format(" or one of {}", adapted.allowed.size() - 1)
+                                : "",
+                            text(field), squares_of(field, bits) ? "" : ", which is no quadtree"));
+        fewest += least;
+        most += largest;
+    }
+    if (statistics.cdq_migrations < fewest || statistics.cdq_migrations > most)
+        found.add(fmt::format("statistics: migrations: expected {} to {}, seen {}", fewest, most,
+                              statistics.cdq_migrations));
+    return found;
+}
+
 Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree,
                                  const Caches& caches, const GuidingWork& seen) {
     GuidingWork want{};
@@ -331,6 +381,14 @@ TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const Tre
         leaf.cached = cache->second.ages;
     }
     return state;
+}
+
+void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits,
+                    std::vector<uint32_t> rays) {
+    state.rays = std::move(rays);
+    const Numbering numbers(state.inner);
+    for (auto& [path, leaf] : state.leaves)
+        leaf.quadtree = squares_of(quadtree_at(seen, numbers.leaf(path)), bits).value();
 }
 
 } // namespace vigil::test

@@ -66,6 +66,14 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
                                 const TreeWords& seen, const InnerNodes& old,
                                 const TreeWords& seen_old);
 
+/// What may become of each leaf's quadtree.
+using AdaptedByLeaf = ByPath<AdaptedQuadtrees>;
+
+/// Quadtrees of `bits` bits after the passes, in the leaves of the tree `old` that they started
+/// from, and how many migrations were counted.
+Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expected, uint32_t bits,
+                                const TreeWords& seen_old, const shader::GuidingWork& statistics);
+
 Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree,
                                  const Caches& caches, const shader::GuidingWork& seen);
 
@@ -73,5 +81,9 @@ Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree
 /// before, `lights` is the buffer of all caches.
 TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
                       std::vector<uint32_t> samples, std::vector<uint32_t> lights);
+/// The same for the quadtrees of its leaves, of `bits` bits each; `rays` is the buffer of ray
+/// samples.
+void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits,
+                    std::vector<uint32_t> rays);
 
 } // namespace vigil::test

@@ -3,6 +3,7 @@
 // same scenes from independent seeds, compared block by block and colour by colour
 // (picture_comparison.h). A bias of 0.3% to 1.4% of the picture is found, as each line of the
 // output says. The technique table is the list of what is tested.
+#include "refresh/vkpt/gpu/commands.h"
 #include "render_test.h"
 
 #include <algorithm>
@@ -178,6 +179,91 @@ TEST_F(Convergence, LightsThatChangeEveryFrame) {
         }
         SCOPED_TRACE(fmt::format("{} lights at most", most));
         judge(fmt::format("vlc      {:>2}", most), sampled, brute, 0.025);
+    }
+}
+
+/// A scene under a sun that turns by some degrees from each frame to the next.
+class TurningSun : public Convergence {
+protected:
+    static constexpr int frames = 12;
+    static constexpr int first_judged = 2; // the frames before it see an octree of eight leaves
+    static constexpr int judged = frames - first_judged;
+    static constexpr float degrees_per_frame = 6.0f;
+
+    static void turn_sun(shader::FrameParams& params, int number) {
+        const float angle = glm::radians(degrees_per_frame * static_cast<float>(number));
+        const glm::vec3 sun = params.sun_direction;
+        params.sun_direction = {std::cos(angle) * sun.x - std::sin(angle) * sun.y,
+                                std::sin(angle) * sun.x + std::cos(angle) * sun.y, sun.z};
+    }
+
+    /// The mean picture of the frames that are judged, each with `paths` paths per pixel under its
+    /// sun. What was learned is adapted before every frame if `learns`; begins with nothing
+    /// learned.
+    std::vector<float> mean_picture(const Shot& shot, int seed, uint32_t paths, bool learns) {
+        std::vector<float> mean;
+        renderer().reset_guiding();
+        gpu::FrameCommands commands(renderer().device());
+        for (int number = 0; number < frames; ++number) {
+            if (learns) {
+                const shader::GuidingWork counted = adapt(commands);
+                if (number > 0) migrations_.push_back(counted.cdq_migrations);
+            } else if (number < first_judged) {
+                continue;
+            }
+            shader::FrameParams frame = params(shot);
+            turn_sun(frame, number);
+            frame.frame = static_cast<uint32_t>(number);
+            frame.cvars.pt_seed = seed;
+            const std::vector<float> picture = trace(frame, renderer().scene()->features(), paths);
+            if (number < first_judged) continue;
+            mean.resize(picture.size(), 0.0f);
+            for (std::size_t i = 0; i < mean.size(); ++i)
+                mean[i] += picture[i] / static_cast<float>(judged);
+        }
+        return mean;
+    }
+
+    std::vector<uint32_t> migrations_; // of all quadtrees, before every frame but the first ones
+};
+
+TEST_F(TurningSun, GuidedRaysOfAllTechniques) {
+    load("opensky");
+    set("pt_cdq_migrations", "4");
+    set("pt_sun_size", "40");
+    Shot shot = view_at({-192, -64, 56}, 0, 20);
+    shot.dynamic_lights = {{1, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
+    set("pt_nee", "brute");
+    radiance(shot);
+    PictureBatches brute(cvars()->vid_width, cvars()->vid_height, block);
+    for (int batch = 0; batch < brute_batches; ++batch)
+        brute.add(
+            mean_picture(shot, 1000 + batch, 16u * static_cast<uint32_t>(path_factor()), false));
+
+    // Every frame has one path per pixel, whose rays the next frame's quadtrees are made of.
+    // More of them would not hurt but for the validation layer, whose memory grows with frames.
+    const int sequences = 2 * path_factor();
+    set("pt_guide", "cdq");
+    for (const TechniqueInfo& info : technique_infos) {
+        SCOPED_TRACE(info.name);
+        set("pt_nee", info.name);
+        radiance(shot); // makes what the technique needs
+        migrations_.clear();
+        PictureBatches sampled(cvars()->vid_width, cvars()->vid_height, block);
+        int seed = 5000;
+        for (int batch = 0; batch < sampled_batches; ++batch) {
+            std::vector<float> sum;
+            for (int sequence = 0; sequence < sequences; ++sequence) {
+                const std::vector<float> picture = mean_picture(shot, ++seed, 1, true);
+                sum.resize(picture.size(), 0.0f);
+                for (std::size_t i = 0; i < sum.size(); ++i)
+                    sum[i] += picture[i] / static_cast<float>(sequences);
+            }
+            sampled.add(sum);
+        }
+        judge(fmt::format("{:8}", info.name), sampled, brute, 0.035);
+        // Quadtrees were changing all the time.
+        EXPECT_GT(*std::ranges::min_element(migrations_), 0u);
     }
 }
 

@@ -121,19 +121,23 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
 void RenderTest::learn(const Shot& shot, int frames) {
     radiance(shot);
     if (!renderer().guided()) return;
-    const gpu::Device& device = renderer().device();
     shader::FrameParams frame = params(shot);
     renderer().reset_guiding();
-    gpu::FrameCommands commands(device);
+    gpu::FrameCommands commands(renderer().device());
     for (int i = 0; i <= frames; ++i) {
-        device.wait_idle();
-        commands.begin();
-        renderer().guiding().record(commands, 0);
-        commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
-        commands.finish();
+        adapt(commands);
         frame.frame = static_cast<uint32_t>(i);
         if (i < frames) trace(frame, renderer().scene()->features(), 1);
     }
+}
+
+shader::GuidingWork RenderTest::adapt(gpu::FrameCommands& commands) {
+    renderer().device().wait_idle();
+    commands.begin();
+    renderer().guiding().record(commands, 0);
+    commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
+    commands.finish();
+    return renderer().guiding().statistics(0);
 }
 
 shader::FrameParams RenderTest::params(const Shot& shot) {

@@ -60,6 +60,9 @@ protected:
     /// `frames` frames of it. The same whatever was rendered before.
     static void learn(const Shot& shot, int frames);
     static constexpr int frames_to_learn = 10;
+    /// Runs the passes that learn from what was traced last; returns what they counted. `commands`
+    /// are free before and after.
+    static shader::GuidingWork adapt(gpu::FrameCommands& commands);
 
     /// Parameters of a frame as the renderer would make them, for `trace`.
     static shader::FrameParams params(const Shot& shot);

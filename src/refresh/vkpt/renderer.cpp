@@ -156,6 +156,8 @@ void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
     if (!guided()) return;
     Guiding::Options options = Guiding::options(path_tracer_.size(), frame_number_);
     options.cdq_bits = cdq_bits();
+    options.settings.even_density =
+        shader::cdq_even_density(options.cdq_bits, cvars()->pt_cdq_brdf);
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
     guiding_.record(commands, slot);

@@ -91,7 +91,6 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame) {
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
     options.settings.migrations = static_cast<uint32_t>(cvars()->pt_cdq_migrations);
     options.settings.margin = cvars()->pt_cdq_margin;
-    options.settings.brdf_part = cvars()->pt_cdq_brdf;
     options.settings.memory_rays = static_cast<uint32_t>(cvars()->pt_cdq_rays);
     options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
     options.settings.merge_faces = cvars()->pt_vlc_merge != 0 ? all_faces : 0;

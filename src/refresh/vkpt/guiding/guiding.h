@@ -66,6 +66,7 @@ public:
     };
     const Tree& tree() const { return trees_[current_]; }
     const gpu::Buffer& samples() const { return samples_; }
+    const gpu::Buffer& rays() const { return rays_; } // null without quadtrees
     const gpu::Buffer& vlc_lights() const { return tree().caches; }
     const gpu::Buffer& work() const { return work_; }
     const shader::GuidingHeader& header() const { return header_; }

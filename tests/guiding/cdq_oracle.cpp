@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// See cdq_oracle.h. Every function follows its definition word by word; none of them is fast.
+#include "cdq_oracle.h"
+
+#include "shared/guiding_types.h"
+#include "vlc_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vigil::test {
+namespace {
+
+constexpr size_t max_depth = 12; // of a leaf; directions are stored with as many bits
+
+/// Squared contributions in each leaf.
+using Sums = ByPath<double>;
+
+/// A ray sample, decoded: 12 bits of u, 12 of v, and the contribution in quarters of a power of
+/// two, 128 for 1.
+Path lowest_square(uint32_t ray) {
+    Path path;
+    for (size_t level = 1; level <= max_depth; ++level) {
+        const uint32_t u = ray >> (max_depth - level) & 1u;
+        const uint32_t v = ray >> (2 * max_depth - level) & 1u;
+        path = child_of(path, static_cast<int>(u + 2 * v));
+    }
+    return path;
+}
+
+double squared_contribution(uint32_t ray) {
+    const double contribution = std::exp2((static_cast<double>(ray >> 24) - 128.0) / 4.0);
+    return contribution * contribution;
+}
+
+Sums sums_of(const Squares& inner, std::span<const uint32_t> rays) {
+    Sums sums;
+    for (const Path& leaf : nodes_of(inner))
+        if (!inner.contains(leaf)) sums[leaf] = 0.0;
+    for (const uint32_t ray : rays) {
+        const Path square = lowest_square(ray);
+        size_t depth = 1;
+        while (inner.contains(square.substr(0, depth)))
+            ++depth;
+        sums.at(square.substr(0, depth)) += squared_contribution(ray);
+    }
+    return sums;
+}
+
+/// The largest power of two that a positive number is a multiple of.
+double unit_of(double value) {
+    int exponent = 0;
+    auto digits = static_cast<uint64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+    for (exponent -= 53; digits % 2 == 0; ++exponent)
+        digits /= 2;
+    return std::ldexp(1.0, exponent);
+}
+
+/// Floats add these up without rounding, in any order.
+bool are_exact(const Sums& sums) {
+    double unit = 1e300, total = 0.0;
+    for (const auto& [leaf, sum] : sums) {
+        if (sum > 0.0) unit = std::min(unit, unit_of(sum));
+        total += sum;
+    }
+    return total <= std::ldexp(unit, 24);
+}
+
+/// A leaf's part in the second moment of all rays, in proportion: its sum over the density of rays
+/// there.
+double moment_of(const Path& leaf, double sum, const QuadtreeLimits& limits) {
+    const double density = std::exp2(2.0 * static_cast<double>(leaf.size()));
+    return sum / (density + static_cast<double>(limits.even_density));
+}
+
+/// Inner nodes with four leaves, but for the root, and the moments of these.
+Sums collapsible(const Squares& inner, const Sums& sums, const QuadtreeLimits& limits) {
+    Sums found;
+    for (const Path& node : inner) {
+        double sum = 0.0;
+        int leaves = 0;
+        for (int child = 0; child < 4; ++child)
+            if (const auto leaf = sums.find(child_of(node, child)); leaf != sums.end()) {
+                sum += moment_of(leaf->first, leaf->second, limits);
+                ++leaves;
+            }
+        if (leaves == 4 && !node.empty()) found[node] = sum;
+    }
+    return found;
+}
+
+Sums splittable(const Sums& sums, const QuadtreeLimits& limits) {
+    Sums found;
+    for (const auto& [leaf, sum] : sums)
+        if (leaf.size() < max_depth) found[leaf] = moment_of(leaf, sum, limits);
+    return found;
+}
+
+/// Those that may be the largest (`sign` 1) or the least (-1) of sums with a relative `error`. Of
+/// equal ones it is the first: floats are equal there, too, as they come from the same samples or
+/// are parts of one sum.
+std::vector<Path> extremes(const Sums& sums, double sign, double error, bool& tied) {
+    double best = -1e300;
+    for (const auto& [path, sum] : sums)
+        best = std::max(best, sign * sum);
+    std::vector<Path> found;
+    std::set<double> seen;
+    for (const auto& [path, sum] : sums) {
+        if (best - sign * sum > 2.0 * error * std::abs(best)) continue;
+        if (seen.insert(sum).second)
+            found.push_back(path);
+        else
+            tied |= sum > 0.0;
+    }
+    return found;
+}
+
+void migrate(Squares& inner, Sums& sums, const Path& collapsed, const Path& split) {
+    double collapsed_sum = 0.0;
+    for (int child = 0; child < 4; ++child) {
+        collapsed_sum += sums.at(child_of(collapsed, child));
+        sums.erase(child_of(collapsed, child));
+    }
+    // Where in the leaf its samples lay is not asked again.
+    for (int child = 0; child < 4; ++child)
+        sums[child_of(split, child)] = sums.at(split) / 4.0;
+    sums.erase(split);
+    sums[collapsed] = collapsed_sum;
+    inner.erase(collapsed);
+    inner.insert(split);
+}
+
+/// Adds to `result` all trees that up to `limits.migrations` further migrations lead to.
+void follow(const AdaptedQuadtree& tree, const Sums& sums, const QuadtreeLimits& limits,
+            double error, AdaptedQuadtrees& result) {
+    if (error == 0.0) result.exact &= are_exact(sums);
+    const Sums inner = collapsible(tree.inner, sums, limits), leaves = splittable(sums, limits);
+    if (tree.migrations == limits.migrations || inner.empty() || leaves.empty()) {
+        result.allowed.insert(tree);
+        return;
+    }
+    for (const Path& leaf : extremes(leaves, 1.0, error, result.tied))
+        for (const Path& node : extremes(inner, -1.0, error, result.tied)) {
+            // A product of floats, rounded once.
+            const double gained = static_cast<float>(leaves.at(leaf)) * limits.margin;
+            const double lost = inner.at(node);
+            // No part of a sum is larger than it, however it is rounded.
+            const bool own_child = leaf.starts_with(node);
+            if (!own_child && gained * (1.0 + error) > lost * (1.0 - error)) {
+                AdaptedQuadtree next = tree;
+                Sums moved = sums;
+                migrate(next.inner, moved, node, leaf);
+                ++next.migrations;
+                follow(next, moved, limits, error, result);
+            }
+            if (own_child || gained * (1.0 - error) <= lost * (1.0 + error))
+                result.allowed.insert(tree);
+        }
+}
+
+/// Relative error of a sum of `count` squared contributions: Vulkan lets exp2(x) be wrong by 3 + 2
+/// |x| units in the last place, |x| is 32 at most, and products and sums round.
+double error_of(size_t count) {
+    return std::ldexp(static_cast<double>(count) + 2.0 * (3.0 + 2.0 * 32.0) + 8.0, -23);
+}
+
+} // namespace
+
+std::vector<Path> nodes_of(const Squares& inner) {
+    std::vector<Path> nodes;
+    for (const Path& node : inner)
+        for (int child = 0; child < 4; ++child)
+            nodes.push_back(child_of(node, child));
+    return nodes;
+}
+
+glm::uvec4 field_of(const Squares& inner) {
+    glm::uvec4 field(0);
+    int bit = 0;
+    for (const Path& node : nodes_of(inner)) {
+        if (inner.contains(node)) field[bit / 32] |= 1u << bit % 32;
+        ++bit;
+    }
+    return field;
+}
+
+std::optional<Squares> squares_of(glm::uvec4 field, uint32_t bits) {
+    std::vector<Path> nodes = {"0", "1", "2", "3"};
+    Squares inner{""};
+    for (uint32_t bit = 0; bit < 128; ++bit) {
+        if ((field[static_cast<int>(bit / 32)] >> bit % 32 & 1u) == 0) continue;
+        if (bit >= nodes.size() || nodes[bit].size() == max_depth) return std::nullopt;
+        inner.insert(nodes[bit]);
+        for (int child = 0; child < 4; ++child)
+            nodes.push_back(child_of(nodes[bit], child));
+    }
+    if (nodes.size() != bits) return std::nullopt;
+    return inner;
+}
+
+AdaptedQuadtrees adapt_quadtree(const Squares& inner, std::span<const uint32_t> rays,
+                                const QuadtreeLimits& limits) {
+    const Stride stride = sample_stride(rays.size(), shader::CDQ_MOST_RAYS);
+    std::vector<uint32_t> processed;
+    for (size_t i = 0; i < stride.processed; ++i)
+        processed.push_back(rays[i * stride.step]);
+    const Sums sums = sums_of(inner, processed);
+    AdaptedQuadtrees result;
+    // Only division by a power of two is exact.
+    if (limits.even_density == 0.0f) {
+        follow({inner, 0}, sums, limits, 0.0, result);
+        if (result.exact) return result;
+    }
+    result = {};
+    result.exact = false;
+    follow({inner, 0}, sums, limits, error_of(processed.size()), result);
+    return result;
+}
+
+} // namespace vigil::test

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The pass `cdq_adapt` against a plain implementation: from random quadtrees and random rays in the
+// leaves of an octree it makes the quadtrees that the oracle makes. Each test also demands that the
+// case it is named after occurred.
+#include "guiding_fixture.h"
+#include "random_rays.h"
+
+namespace vigil::test {
+namespace {
+
+class Directions : public GuidingTest {
+protected:
+    /// Random quadtrees and rays on a random octree, then a frame; counts what occurred.
+    void random_rays_frame(Dice& dice, uint32_t nodes, const RandomRays& rays, uint32_t bits) {
+        state_ =
+            random_samples(dice, random_tree(dice, nodes, 0.3), {}, settings_, guiding().header());
+        add_random_rays(dice, rays, bits, state_);
+        rays_frame();
+    }
+
+    void rays_frame() {
+        const ByPath<LeafState> before = state_.leaves;
+        frame();
+        if (HasFatalFailure()) return;
+        for (const auto& [path, leaf] : before) {
+            const AdaptedQuadtrees& adapted = quadtrees_.at(path);
+            if (leaf.count == 0 || leaf.kept_rays() == 0) {
+                ++unlit_;
+                continue;
+            }
+            dropped_ += leaf.rays > leaf.room ? 1u : 0u;
+            single_ += leaf.kept_rays() == 1 ? 1u : 0u;
+            many_ += leaf.kept_rays() > 1000 ? 1u : 0u;
+            exact_ += adapted.exact ? 1u : 0u;
+            tied_ += adapted.exact && adapted.tied ? 1u : 0u;
+            ambiguous_ += adapted.allowed.size() > 1 ? 1u : 0u;
+            const AdaptedQuadtree& first = *adapted.allowed.begin();
+            moved_ += first.migrations > 0 ? 1u : 0u;
+            stayed_ += first.migrations < settings_.migrations ? 1u : 0u;
+            deepest_ = std::max(deepest_, nodes_of(first.inner).back().size());
+        }
+    }
+
+    static shader::GuidingSettings settings_for(uint32_t migrations, float margin) {
+        shader::GuidingSettings settings = settings_with(16);
+        settings.migrations = migrations;
+        settings.margin = margin;
+        return settings;
+    }
+
+    // Leaves that ...
+    uint32_t unlit_ = 0;     // were not looked at
+    uint32_t single_ = 0;    // had one ray,
+    uint32_t many_ = 0;      // thousands,
+    uint32_t dropped_ = 0;   // more than they stored
+    uint32_t exact_ = 0;     // had sums that floats hold
+    uint32_t tied_ = 0;      // of them: equal ones decided
+    uint32_t ambiguous_ = 0; // had several trees that rounding may lead to
+    uint32_t moved_ = 0;     // had migrations,
+    uint32_t stayed_ = 0;    // and came to an end before the limit
+    size_t deepest_ = 0;     // level of a quadtree's leaf
+};
+
+class DirectionsOfSize : public Directions, public testing::WithParamInterface<uint32_t> {};
+
+TEST_P(DirectionsOfSize, RandomRays) {
+    const uint32_t bits = GetParam();
+    for (const uint32_t migrations : {1u, 4u})
+        for (const float margin : {0.0f, 0.1f, 0.5f, 1.0f})
+            for (const Brought brought : {Brought::Anything, Brought::Powers}) {
+                SCOPED_TRACE(testing::Message() << migrations << " migrations, margin " << margin
+                                                << (brought == Brought::Powers ? ", powers" : ""));
+                start(settings_for(migrations, margin), 64, bits);
+                Dice dice(bits + migrations + static_cast<uint32_t>(100 * margin));
+                random_rays_frame(dice, 20, {brought, 60, 2 * bits}, bits);
+                if (HasFatalFailure()) return;
+            }
+    for (const uint32_t leaves : {unlit_, single_, dropped_, exact_, tied_, moved_, stayed_})
+        EXPECT_GT(leaves, 100u);
+    EXPECT_LT(ambiguous_, (unlit_ + moved_) / 50);
+    EXPECT_GE(deepest_, bits > 32 ? 12u : 8u);
+}
+
+TEST_P(DirectionsOfSize, BesideRaysOfTheBrdf) {
+    const uint32_t bits = GetParam();
+    shader::GuidingSettings settings = settings_for(4, 0.25f);
+    settings.even_density = shader::cdq_even_density(bits, 0.5f);
+    EXPECT_EQ(settings.even_density, 1.5f * static_cast<float>(bits) + 2.0f);
+    start(settings, 64, bits);
+    Dice dice(bits + 5);
+    random_rays_frame(dice, 20, {Brought::Anything, 60, 2 * bits}, bits);
+    EXPECT_GT(moved_, 20u);
+}
+
+TEST_P(DirectionsOfSize, ThousandsOfRays) {
+    const uint32_t bits = GetParam();
+    for (const Brought brought : {Brought::Anything, Brought::Powers}) {
+        shader::GuidingSettings settings = settings_for(4, 0.25f);
+        settings.split = 4000;
+        settings.collapse = 2000;
+        start(settings, 256, bits);
+        Dice dice(bits + 7);
+        random_rays_frame(dice, 8, {brought, 3000, bits}, bits);
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GE(many_, 8u);
+    EXPECT_GE(exact_, 4u);
+}
+
+TEST_P(DirectionsOfSize, AsManyMigrationsAsThereCanBe) {
+    const uint32_t bits = GetParam();
+    start(settings_for(16, 1.0f), 64, bits);
+    Dice dice(bits + 8);
+    random_rays_frame(dice, 20, {Brought::Anything, 60, 4 * bits}, bits);
+    if (HasFatalFailure()) return;
+    EXPECT_GT(statistics_.cdq_migrations, 200u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, DirectionsOfSize, testing::Values(32u, 64u, 96u, 128u));
+
+TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
+    start(settings_for(1, 0.5f), 64, 64);
+    Dice dice(31);
+    for (int round = 0; round < 20; ++round) {
+        random_rays_frame(dice, 20, {Brought::Same, 12, 16}, 64);
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(tied_, 100u);
+    EXPECT_EQ(ambiguous_, 0u);
+}
+
+TEST_F(Directions, OneHugeLeafAmongEmptyOnes) {
+    // More than any leaf has once the octree has followed the surfaces: its first frames. Every ray
+    // takes as long as it can to find its leaf.
+    const glm::vec2 target(0.37f, 0.91f);
+    for (const uint32_t rays : {4095u, 4096u, 4097u, 8191u, 8192u, 20000u, 100000u}) {
+        SCOPED_TRACE(testing::Message() << rays << " rays");
+        start(settings_for(16, 0.1f), 256, 128);
+        Dice dice(rays);
+        state_ = random_samples(dice, random_tree(dice, 3, 0.5), {}, settings_, guiding().header());
+        for (auto& [path, leaf] : state_.leaves)
+            leaf.count = leaf.room = 0;
+        LeafState& huge = std::next(state_.leaves.begin(), dice.below(10))->second;
+        huge.first_sample = 123;
+        huge.count = 1;
+        state_.samples[huge.first_sample] = shader::LIGHT_SAMPLE_NONE;
+        huge.room = rays;
+        add_random_rays(dice, {Brought::Anything, rays, 0}, 128, state_);
+        huge.quadtree = quadtree_towards(128, target);
+        huge.rays = rays + dice.below(100);
+        const glm::uvec2 deepest(target * 4096.0f);
+        for (uint32_t i = 0; i < rays; ++i)
+            state_.rays[huge.first_sample + i] = shader::ray_sample_pack(
+                dice.chance(0.2) ? random_cell(dice, target)
+                                 : deepest + glm::uvec2(dice.below(4), dice.below(4)),
+                dice.chance(0.9) ? 1.0f : 2.0f);
+        rays_frame();
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_EQ(many_, 7u);
+}
+
+TEST_F(Directions, QuadtreesFollowTheRays) {
+    // All rays bring the same, so the squares end where most rays go: to the target of each leaf.
+    for (const uint32_t bits : {32u, 128u}) {
+        start(settings_for(1, 0.1f), 64, bits);
+        Dice dice(bits);
+        for (int i = 0; i < 30; ++i) {
+            for (auto& [path, leaf] : state_.leaves) {
+                leaf.count = 30; // between the thresholds: the octree rests
+                leaf.rays = std::min(leaf.room, 40u);
+                for (uint32_t ray = 0; ray < leaf.rays; ++ray)
+                    state_.rays[leaf.first_sample + ray] =
+                        shader::ray_sample_pack({1000 + dice.below(3), 3000 + dice.below(3)}, 1.0f);
+            }
+            rays_frame();
+            if (HasFatalFailure()) return;
+        }
+        // Three chains at most hold all rays, and the rest of the tree is given up.
+        EXPECT_EQ(deepest_, std::min(12u, bits / 4)) << bits;
+        EXPECT_EQ(statistics_.cdq_migrations, 0u);
+    }
+}
+
+} // namespace
+} // namespace vigil::test

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// See random_rays.h.
+#include "random_rays.h"
+
+#include "cdq/quadtree.h"
+#include "shared/octahedral.h"
+
+#include <array>
+#include <cmath>
+
+namespace vigil::test {
+namespace {
+
+Path path_of(const Quadtree::Node& node) {
+    if (node.parent == nullptr) return "";
+    int child = 0;
+    while (node.parent->children[static_cast<size_t>(child)].get() != &node)
+        ++child;
+    return child_of(path_of(*node.parent), child);
+}
+
+Squares squares_of(const Quadtree& tree) {
+    Squares inner{""};
+    for (const Quadtree::Node* node : tree.nodes())
+        if (node->is_inner()) inner.insert(path_of(*node));
+    return inner;
+}
+
+glm::vec2 near(Dice& dice, glm::vec2 target) {
+    const float reach = std::exp2(-static_cast<float>(dice.below(12)));
+    return target + reach * glm::vec2(dice.between(-0.5f, 0.5f), dice.between(-0.5f, 0.5f));
+}
+
+/// Directions in which the map has a corner, an edge or a fold, and their neighbours.
+glm::vec3 special_direction(Dice& dice) {
+    glm::vec3 direction(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        if (const uint32_t choice = dice.below(4); choice > 0)
+            direction[axis] = static_cast<float>(choice) - 2.0f;
+    if (direction == glm::vec3(0.0f)) direction.z = dice.chance(0.5) ? 1.0f : -1.0f;
+    if (dice.chance(0.3)) direction[static_cast<int>(dice.below(3))] += 1e-3f;
+    if (dice.chance(0.3)) direction[static_cast<int>(dice.below(3))] -= 1e-6f;
+    return direction;
+}
+
+float random_contribution(Dice& dice, Brought brought, uint32_t rays) {
+    switch (brought) {
+    case Brought::Same:
+        return 1.0f;
+    case Brought::Powers: {
+        // Squares are powers of four; 24 bits hold their range, the number of rays, and a quarter
+        // of a quarter per migration.
+        const int range = rays > 1000 ? 1 : 2;
+        return std::exp2(static_cast<float>(dice.below(2 * range + 1)) - static_cast<float>(range));
+    }
+    default:
+        break;
+    }
+    constexpr std::array<float, 6> extremes{0.0f, 1e-38f, 1e-9f, 1e9f, 3e9f, 1e30f};
+    if (dice.chance(0.02)) return extremes[dice.below(extremes.size())];
+    return std::exp2(dice.between(-20.0f, 20.0f));
+}
+
+} // namespace
+
+glm::uvec2 random_cell(Dice& dice, glm::vec2 target) {
+    glm::vec2 uv;
+    if (dice.chance(0.5))
+        uv = near(dice, target);
+    else if (dice.chance(0.3))
+        uv = shader::octahedral_encode(special_direction(dice));
+    else
+        uv = {dice.between(0.0f, 1.0f), dice.between(0.0f, 1.0f)};
+    return glm::min(glm::uvec2(glm::max(uv, 0.0f) * 4096.0f), 4095u);
+}
+
+Squares quadtree_towards(uint32_t bits, glm::vec2 target) {
+    return squares_of(tree_towards(bits, target));
+}
+
+Squares random_quadtree(Dice& dice, uint32_t bits, uint32_t migrations) {
+    Quadtree tree(bits);
+    const auto habit = static_cast<Habit>(dice.below(habit_count));
+    for (uint32_t left = dice.below(migrations + 1); left > 0; --left) {
+        const Migration chosen = choose_migration(tree, habit, dice);
+        tree.migrate(chosen.inner, chosen.leaf);
+    }
+    return squares_of(tree);
+}
+
+void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeState& state) {
+    state.rays.resize(state.samples.size());
+    for (uint32_t& ray : state.rays)
+        ray = dice.word();
+    for (auto& [path, leaf] : state.leaves) {
+        leaf.quadtree = random_quadtree(dice, bits, rays.migrations);
+        const std::array<uint32_t, 6> likely{0,         1,         2 + dice.below(8),
+                                             leaf.room, rays.most, leaf.room + 1 + dice.below(40)};
+        leaf.rays = likely[dice.below(likely.size())];
+        const glm::vec2 target(dice.between(0.0f, 1.0f), dice.between(0.0f, 1.0f));
+        for (uint32_t i = 0; i < leaf.kept_rays(); ++i)
+            state.rays[leaf.first_sample + i] = shader::ray_sample_pack(
+                random_cell(dice, target), random_contribution(dice, rays.brought, leaf.rays));
+    }
+}
+
+} // namespace vigil::test
