@@ -212,7 +212,7 @@ TEST_F(Views, LegendsArePartOfThePicture) {
         set("pt_view", info.name);
         render(2);
         const vkpt::LegendPixels legend = vkpt::draw_legend(
-            vkpt::legend_content({info.number, Technique::vlc, true, true, {320, 180}}), 180);
+            vkpt::legend_content({info.number, Technique::vlc, true, true, {320, 180}, true}), 180);
         const vkpt::Legend::Area& area = renderer().legend().area();
         const bool expected = info.number != shader::VIEW_NONE &&
                               info.number != shader::VIEW_ALBEDO &&
