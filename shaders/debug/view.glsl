@@ -4,6 +4,7 @@
 #ifndef VIGIL_DEBUG_VIEW_GLSL
 #define VIGIL_DEBUG_VIEW_GLSL
 
+#include "debug/directions_view.glsl"
 #include "debug/octree_view.glsl"
 #include "shared/views.h"
 
@@ -50,17 +51,28 @@ vec3 guiding_color(int view, Surface surface, float facing) {
     }
 }
 
-vec3 view_color(uint index) {
-    const PrimaryHit hit = primary_hits[index];
-    const int view = frame.cvars.pt_view;
-    if (view == VIEW_NONFINITE) return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
-    if (hit.primitive == NONE) return vec3(0.0);
+/// What views ask of a surface: where it is, and whose.
+Surface seen_surface(PrimaryHit hit) {
     Surface surface;
     surface.position = hit.position;
     surface.origin = hit.position;
     surface.normal = hit.normal;
     surface.primitive = hit.primitive;
     surface.instance = hit.instance;
+    return surface;
+}
+
+/// Colour of a pixel, sRGB. `picture` is what it would be without a view.
+vec3 view_color(uvec2 pixel, vec3 picture) {
+    const PrimaryHit hit = primary_hits[pixel.y * frame.size.x + pixel.x];
+    const int view = frame.cvars.pt_view;
+    if (view == VIEW_NONFINITE) return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
+    const Surface surface = seen_surface(hit);
+    if (view == VIEW_CDQ) {
+        const PrimaryHit middle = crosshair_hit();
+        return directions_color(pixel, picture, seen_surface(middle), middle.primitive != NONE, surface, hit.primitive != NONE);
+    }
+    if (hit.primitive == NONE) return vec3(0.0);
     const float facing = abs(dot(hit.normal, normalize(frame.camera_origin - hit.position)));
     switch (view) {
     case VIEW_OCTREE:

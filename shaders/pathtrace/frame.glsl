@@ -29,7 +29,8 @@ layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer Radi
 
 layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
 
-/// Which of the frame's pt_spp paths per pixel this dispatch traces.
+/// Which of the frame's pt_spp paths per pixel this dispatch traces: only path 0 teaches. A dispatch that traces none of them
+/// (views) has path_index == path_count.
 layout(push_constant, scalar) uniform PushBlock { uint path_index; uint path_count; };
 
 #endif

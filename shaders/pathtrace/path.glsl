@@ -13,6 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 const uint STREAM_PRIMARY = 0u;
 const uint STREAM_DIRECT = 1u;
 const uint STREAM_INDIRECT = 2u;
+const uint STREAM_VIEW = 3u;
 const uint STREAM_COUNT = 4u;
 
 Random path_random(uvec2 pixel, uint stream) {

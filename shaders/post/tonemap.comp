@@ -19,18 +19,19 @@ vec3 filmic(vec3 color) {
     return (color * (2.51 * color + 0.03)) / (color * (2.43 * color + 0.59) + 0.14);
 }
 
+/// Exposed and toned, sRGB.
+vec3 picture_color(vec3 value) {
+    vec3 color = min(value * exposure, vec3(1e4));
+    if (frame.cvars.pt_tonemap == 1) color = reinhard(color);
+    if (frame.cvars.pt_tonemap == 2) color = filmic(0.8 * color);
+    return srgb_from_linear(clamp(color, 0.0, 1.0));
+}
+
 void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
     const uint index = pixel.y * frame.size.x + pixel.x;
-    vec3 color;
-    if (frame.cvars.pt_view != VIEW_NONE) {
-        color = view_color(index);
-    } else {
-        color = min(mean_radiance[index] * exposure, vec3(1e4));
-        if (frame.cvars.pt_tonemap == 1) color = reinhard(color);
-        if (frame.cvars.pt_tonemap == 2) color = filmic(0.8 * color);
-        color = srgb_from_linear(clamp(color, 0.0, 1.0));
-    }
+    vec3 color = picture_color(mean_radiance[index]);
+    if (frame.cvars.pt_view != VIEW_NONE) color = view_color(pixel, color);
     display[index] = packUnorm4x8(vec4(color, 1.0));
 }

@@ -27,8 +27,9 @@
 #define BINDING_EXPOSURE 15      // automatic exposure: post
 #define BINDING_COUNTERS 16      // FrameCounters, read back by the host: pathtrace/frame.glsl
 #define BINDING_DISPLAY 17       // finished picture, RGBA8: post
-#define BINDING_ACCELERATION_STRUCTURE 18 // only with ray query: trace/trace_query.glsl
-#define SCENE_BINDING_COUNT 19
+#define BINDING_DIRECTION_MAP 18 // radiance that arrives at the crosshair: debug/direction_map.glsl
+#define BINDING_ACCELERATION_STRUCTURE 19 // only with ray query: trace/trace_query.glsl
+#define SCENE_BINDING_COUNT 20
 
 // Set 1 holds this many storage buffers; what they are is the technique's business (shaders/light/NAME.glsl).
 #define TECHNIQUE_BINDING_COUNT 6

@@ -19,6 +19,7 @@ struct FrameParams {
     float time_s;
     uint frame;          // counts rendered frames; the random sequence
     uint accumulated;    // frames in the running mean before this one; 0 starts anew
+    uint view_accumulated; // the same of what pt_view takes the mean of
     uint jitter;         // 1: camera rays pass through random points of the pixel
     uint light_count;    // ids in use, dark ones included
     uint sky_texture;    // first of six textures in the order of formats/sky.h, or NONE

@@ -52,6 +52,13 @@ SHADER_FN float view_most_samples(uvec2 size) {
 SHADER_CONST float VIEW_MOST_LIGHTS = 2048.0f;
 SHADER_CONST float VIEW_MOST_BUCKETS = 64.0f;
 
+/// Directions' densities per steradian on the colour map: logarithmic, four decades, as in the paper's figure 10.
+SHADER_CONST float VIEW_LEAST_DENSITY = 1.9e-2f;
+SHADER_CONST float VIEW_MOST_DENSITY = 1.9e2f;
+SHADER_FN float density_on_scale(float density) {
+    return log2(max(density, 1e-30f) / VIEW_LEAST_DENSITY) / log2(VIEW_MOST_DENSITY / VIEW_LEAST_DENSITY);
+}
+
 /// Grey of a distance in map units: from white at the eye to black far away.
 SHADER_FN float view_depth_grey(float distance) {
     return 1.0f / (1.0f + distance / 256.0f);
@@ -70,6 +77,9 @@ SHADER_CONST vec3 VIEW_BAD = vec3(1.0f, 0.0f, 1.0f);            // not finite
 SHADER_CONST vec3 VIEW_GOOD = vec3(0.05f, 0.05f, 0.05f);
 SHADER_CONST vec3 VIEW_NO_CLUSTER = vec3(1.0f, 0.0f, 0.0f);
 SHADER_CONST vec3 VIEW_NO_LIGHT = vec3(0.15f, 0.15f, 0.15f);
+
+SHADER_CONST vec3 VIEW_HORIZON = vec3(1.0f, 1.0f, 1.0f); // between directions above and below a surface
+SHADER_CONST float VIEW_OTHER_LEAF = 0.5f;               // factor on what is not the subject
 
 SHADER_END
 #endif

@@ -12,15 +12,16 @@
     ROW(VIEW_SAMPLES,     2,  samples,     "surface samples that the leaf received in this frame") \
     ROW(VIEW_VLC_LIGHTS,  3,  vlc_lights,  "lights in the leaf's Visibility Light Cache") \
     ROW(VIEW_VLC_BUCKETS, 4,  vlc_buckets, "buckets of the leaf's Visibility Light Cache") \
-    ROW(VIEW_TECHNIQUE,   5,  technique,   "what chose the light sample: cache or exploration, and whether it contributed") \
-    ROW(VIEW_ZERO,        6,  zero,        "light samples that contributed nothing") \
-    ROW(VIEW_NONFINITE,   7,  nonfinite,   "values that were not finite") \
-    ROW(VIEW_ALBEDO,      8,  albedo,      "reflectance") \
-    ROW(VIEW_NORMAL,      9,  normal,      "geometric normals") \
-    ROW(VIEW_DEPTH,       10, depth,       "distance from the eye") \
-    ROW(VIEW_CLUSTER,     11, cluster,     "PVS clusters, a colour each") \
-    ROW(VIEW_TRIANGLE,    12, triangle,    "triangles, a colour each") \
-    ROW(VIEW_LIGHT,       13, light,       "lights, a colour each")
+    ROW(VIEW_CDQ,         5,  cdq,         "directions at the crosshair: what the leaf's quadtree draws, and what light arrives") \
+    ROW(VIEW_TECHNIQUE,   6,  technique,   "what chose the light sample: cache or exploration, and whether it contributed") \
+    ROW(VIEW_ZERO,        7,  zero,        "light samples that contributed nothing") \
+    ROW(VIEW_NONFINITE,   8,  nonfinite,   "values that were not finite") \
+    ROW(VIEW_ALBEDO,      9,  albedo,      "reflectance") \
+    ROW(VIEW_NORMAL,      10, normal,      "geometric normals") \
+    ROW(VIEW_DEPTH,       11, depth,       "distance from the eye") \
+    ROW(VIEW_CLUSTER,     12, cluster,     "PVS clusters, a colour each") \
+    ROW(VIEW_TRIANGLE,    13, triangle,    "triangles, a colour each") \
+    ROW(VIEW_LIGHT,       14, light,       "lights, a colour each")
 // clang-format on
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about what the renderer has learned, and about looking at it: view, viewnext,
-// viewprev, guiding, guidingreset, vlcinfo.
+// viewprev, guiding, guidingreset, vlcinfo, cdqinfo.
 #include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
@@ -64,6 +64,12 @@ void vlcinfo(Client& client) {
     log_info("{}", session.renderer().describe_leaf());
 }
 
+void cdqinfo(Client& client) {
+    Session& session = with_level(client);
+    session.render_if_stale();
+    log_info("{}", session.renderer().describe_directions());
+}
+
 } // namespace
 
 void add_guiding_commands(Client& client) {
@@ -83,6 +89,10 @@ void add_guiding_commands(Client& client) {
                  [&client](CommandArguments) { with_level(client).reset_guiding(); });
     commands.add("vlcinfo", ": the octree's leaf under the crosshair and the lights of its cache",
                  [&client](CommandArguments) { vlcinfo(client); });
+    commands.add(
+        "cdqinfo",
+        ": the quadtree of directions of the leaf under the crosshair, and how its rays did",
+        [&client](CommandArguments) { cdqinfo(client); });
 }
 
 } // namespace vigil::client

@@ -147,6 +147,8 @@ public:
     virtual std::string describe_guiding() const = 0;
     /// Text of `vlcinfo`: the octree's leaf under the middle of the last frame, and its light cache; or why there is none.
     virtual std::string describe_leaf() const = 0;
+    /// Text of `cdqinfo`: the directional quadtree of that leaf; or why there is none.
+    virtual std::string describe_directions() const = 0;
     /// Empties octree and light caches: the next frame learns anew.
     virtual void reset_guiding() = 0;
     /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures); docs/export.md has units.

@@ -78,6 +78,7 @@ public:
     std::string describe_device() const override { return "a fake device"; }
     std::string describe_guiding() const override { return "fake guiding"; }
     std::string describe_leaf() const override { return "a fake leaf"; }
+    std::string describe_directions() const override { return "a fake quadtree"; }
     void reset_guiding() override { log_.calls.emplace_back("reset guiding"); }
     void export_scene(const refresh::Frame&, const std::string& path) override {
         log_.calls.push_back("export " + path);

@@ -253,8 +253,9 @@ TEST_F(ProgramTest, WalksThroughTheViews) {
 }
 
 TEST_F(ProgramTest, TellsWhatGuidingKnows) {
-    EXPECT_EQ(run("+map tiny +wait 3 +vlcinfo +guiding +setviewpos 1 2 3 +vlcinfo"), 0);
+    EXPECT_EQ(run("+map tiny +wait 3 +vlcinfo +guiding +setviewpos 1 2 3 +vlcinfo +cdqinfo"), 0);
     EXPECT_NE(output_.find("a fake leaf\n"), std::string::npos);
+    EXPECT_NE(output_.find("a fake quadtree\n"), std::string::npos);
     EXPECT_NE(output_.find("fake guiding\n"), std::string::npos);
     EXPECT_NE(output_.find("mean of 3 frames"), std::string::npos);
     EXPECT_EQ(render_.count("render"), 4u); // the second leaf is that of the new view
@@ -264,6 +265,7 @@ TEST_F(ProgramTest, TellsWhatGuidingKnows) {
     EXPECT_EQ(render_.calls, (std::vector<std::string>{"map tiny", "render", "render", "render",
                                                        "reset guiding", "render", "picture"}));
     EXPECT_EQ(run("+vlcinfo"), 1); // no level
+    EXPECT_EQ(run("+cdqinfo"), 1);
     EXPECT_EQ(run("+guiding"), 1);
     EXPECT_EQ(run("+guidingreset"), 1);
 }

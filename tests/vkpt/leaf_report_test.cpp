@@ -132,6 +132,53 @@ TEST_F(GuidingText, VlcinfoKnowsWhoseLightsTheyAre) {
     EXPECT_FALSE(says("dynamic light 77"));
 }
 
+TEST_F(GuidingText, CdqinfoNamesTheLeafAndItsQuadtree) {
+    const auto holds = [](std::string_view part) {
+        const std::string text = renderer().describe_directions();
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    };
+    set("pt_guide", "cdq");
+    for (const char* technique : {"vlc", "sll"}) {
+        SCOPED_TRACE(technique);
+        set("pt_nee", technique);
+        set("pt_cdq_bits", "64");
+        render(6);
+        for (const std::string_view part :
+             {"under the crosshair: ", "leaf ", "samples ", "rays ", " brought light in this frame",
+              "64 bits, 49 leaves", "density ", "below horizon ", "yaw ", "and 41 less dense"})
+            holds(part);
+    }
+    set("pt_guide", "brdf");
+    render(1);
+    holds("no quadtrees of directions guided rays in the last frame");
+    set("pt_guide", "cdq");
+    load("opensky");
+    holds("no quadtrees");
+    shot_.view = {{150, 0, 90}, {-80, 0, 0}, 60};
+    render(2);
+    holds("nothing under the crosshair");
+}
+
+TEST_F(GuidingText, LeavesCountTheRaysThatBroughtLight) {
+    set("pt_guide", "cdq");
+    set("pt_bounces", "0"); // one ray per primary hit
+    set("pt_sky_scale", "0");
+    set("pt_nee", "brute"); // rays find lights
+    render(6);
+    const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
+    std::map<uint32_t, vkpt::LeafReport> reports;
+    for (const shader::PrimaryHit& hit : lit_hits()) {
+        const vkpt::LeafReport report = tree.leaf_at(hit.position, 32);
+        reports.emplace(report.leaf, report);
+    }
+    uint32_t rays = 0;
+    for (const auto& [leaf, report] : reports) {
+        EXPECT_LE(report.rays, report.samples);
+        rays += report.rays;
+    }
+    EXPECT_GT(rays, 0u);
+}
+
 TEST_F(GuidingText, SaysWhenThereIsNothingToTell) {
     set("pt_nee", "sll");
     render(1);

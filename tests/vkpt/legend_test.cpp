@@ -110,6 +110,32 @@ TEST(Legend, MarksStandAtTheColoursOfTheirNumbers) {
     }
 }
 
+TEST(Legend, DensitiesStandAtTheirColours) {
+    const LegendContent content = legend_content(subject_of(shader::VIEW_CDQ, true));
+    ASSERT_EQ(content.marks.size(), 4u);
+    for (const LegendContent::Mark& mark : content.marks) {
+        const glm::vec3 shown = shader::color_map(shader::density_on_scale(std::stof(mark.text)));
+        const auto step = static_cast<size_t>(mark.place * static_cast<float>(content.bar.size()));
+        EXPECT_LT(glm::distance(shown, content.bar[step]), 0.02f) << mark.text;
+    }
+    EXPECT_NEAR(shader::density_on_scale(shader::VIEW_LEAST_DENSITY), 0.0f, 1e-5f);
+    EXPECT_NEAR(shader::density_on_scale(shader::VIEW_MOST_DENSITY), 1.0f, 1e-5f);
+    EXPECT_EQ(content.notes.size(), 3u);
+}
+
+TEST(Legend, SaysThatQuadtreesAreOff) {
+    LegendSubject subject = subject_of(shader::VIEW_CDQ, true);
+    const auto off = [&] {
+        const LegendContent content = legend_content(subject);
+        const auto row =
+            std::ranges::find(content.classes, shader::VIEW_OFF, &LegendContent::Class::color);
+        return row == content.classes.end() ? std::string() : row->text;
+    };
+    EXPECT_EQ(off(), "quadtrees off: pt_guide brdf");
+    subject.quadtrees = true;
+    EXPECT_EQ(off(), "nothing under the cross");
+}
+
 TEST(Legend, SaysThatGuidingIsOff) {
     for (const int view : {shader::VIEW_OCTREE, shader::VIEW_SAMPLES, shader::VIEW_VLC_LIGHTS,
                            shader::VIEW_VLC_BUCKETS}) {
@@ -126,7 +152,7 @@ TEST(Legend, SaysThatGuidingIsOff) {
 }
 
 TEST(Legend, DrawsItsColoursAndLetters) {
-    const uint32_t ground = draw_legend({"x", {}, {}, {}}, 360).rgba[0];
+    const uint32_t ground = draw_legend({"x", {}, {}, {}, {}}, 360).rgba[0];
     for (const ViewInfo& info : view_infos) {
         const LegendContent content = legend_content(subject_of(info.number, true));
         if (content.title.empty()) continue;
@@ -149,8 +175,8 @@ TEST(Legend, DrawsItsColoursAndLetters) {
             }
         }
     }
-    EXPECT_EQ(draw_legend({"x", {}, {}, {}}, 1440).height,
-              2 * draw_legend({"x", {}, {}, {}}, 360).height);
+    EXPECT_EQ(draw_legend({"x", {}, {}, {}, {}}, 1440).height,
+              2 * draw_legend({"x", {}, {}, {}, {}}, 360).height);
 }
 
 } // namespace

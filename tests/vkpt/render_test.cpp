@@ -150,7 +150,8 @@ shader::FrameParams RenderTest::params(const Shot& shot) {
 }
 
 std::vector<float> RenderTest::trace(const shader::FrameParams& params,
-                                     const vkpt::SceneFeatures& features, uint32_t paths) {
+                                     const vkpt::SceneFeatures& features, uint32_t paths,
+                                     LightSamples light_samples) {
     const gpu::Device& device = renderer().device();
     device.wait_idle();
     vkpt::PathTracer& tracer = renderer().path_tracer();
@@ -158,7 +159,8 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
     gpu::FrameCommands commands(device);
     commands.begin();
     tracer.record(commands, {technique, features, false, renderer().cdq_bits()}, params, paths,
-                  renderer().technique()->samples_lights(), renderer().guiding().set());
+                  light_samples == LightSamples::All && renderer().technique()->samples_lights(),
+                  renderer().guiding().set());
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,

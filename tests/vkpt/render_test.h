@@ -68,8 +68,10 @@ protected:
     static shader::FrameParams params(const Shot& shot);
     /// Runs the path tracer's passes by themselves with given features, on the scene and the
     /// bindings of the frame that was rendered last; returns its radiance.
+    enum class LightSamples { All, Indirect }; // Indirect: none at primary hits
     static std::vector<float> trace(const shader::FrameParams& params,
-                                    const vkpt::SceneFeatures& features, uint32_t paths);
+                                    const vkpt::SceneFeatures& features, uint32_t paths,
+                                    LightSamples light_samples = LightSamples::All);
 
 private:
     std::shared_ptr<const Level> level_;

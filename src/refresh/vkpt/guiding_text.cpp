@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the renderer says about its guiding: the memory it takes (`guiding`, `scene`), and the leaf
-// under the crosshair with the lights of its cache (`vlcinfo`).
+// under the crosshair with the lights of its cache (`vlcinfo`) or with its quadtree (`cdqinfo`).
+#include "refresh/vkpt/guiding/cdq_report.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
 #include "refresh/vkpt/guiding/leaf_report.h"
 #include "refresh/vkpt/light/light_power.h"
 #include "refresh/vkpt/renderer.h"
+
+#include "shared/direction_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +20,7 @@ namespace vigil::vkpt {
 namespace {
 
 /// A table that nobody reads to the end is cut.
-constexpr size_t most_buckets_listed = 8, most_lights_listed = 10;
+constexpr size_t most_buckets_listed = 8, most_lights_listed = 10, most_cells_listed = 8;
 
 double mebibytes(uint64_t bytes) {
     return static_cast<double>(bytes) / 1048576.0;
@@ -93,7 +96,36 @@ glm::vec3 position_before(const shader::Instance& instance, glm::vec3 position) 
     return instance.previous_world_from_object * glm::vec4(local, 1.0f);
 }
 
+/// The leaf that a surface's samples go to, and the one it learns from: where it was a frame ago.
+struct SurfaceReports {
+    LeafReport now, before;
+};
+
+SurfaceReports leaves_of(const shader::PrimaryHit& hit, const Scene& scene, const TreeCopy& tree,
+                         uint32_t bucket_size) {
+    const glm::vec3 earlier = position_before(scene.host_instances()[hit.instance], hit.position);
+    return {tree.leaf_at(hit.position, bucket_size),
+            tree.leaf_at(hit.instance == 0 ? hit.position : earlier, bucket_size)};
+}
+
+std::string place_text(const shader::PrimaryHit& hit) {
+    return fmt::format("under the crosshair: {:.1f} {:.1f} {:.1f}\n", hit.position.x,
+                       hit.position.y, hit.position.z);
+}
+
+constexpr const char* nothing_there =
+    "nothing under the crosshair that light could fall on (sky, or the inside of a wall)";
+
 } // namespace
+
+std::optional<shader::PrimaryHit> VkptRenderer::hit_under_crosshair() const {
+    device_.wait_idle();
+    const glm::uvec2 size = path_tracer_.size(), pixel = shader::crosshair_pixel(size);
+    const shader::PrimaryHit hit = gpu::download_now_as<shader::PrimaryHit>(
+        device_, path_tracer_.primary_hits(), uint64_t{pixel.y} * size.x + pixel.x, 1)[0];
+    if (hit.primitive == shader::NONE) return std::nullopt;
+    return hit;
+}
 
 std::string VkptRenderer::guiding_off_text() const {
     if (!scene_) return "no level is loaded";
@@ -135,26 +167,33 @@ std::string VkptRenderer::guiding_line() const {
 
 std::string VkptRenderer::describe_leaf() const {
     if (std::string off = guiding_off_text(); !off.empty()) return off;
-    device_.wait_idle();
-    const glm::uvec2 size = path_tracer_.size(), centre = size / 2u;
-    const shader::PrimaryHit hit = gpu::download_now_as<shader::PrimaryHit>(
-        device_, path_tracer_.primary_hits(), uint64_t{centre.y} * size.x + centre.x, 1)[0];
-    if (hit.primitive == shader::NONE)
-        return "nothing under the crosshair that light could fall on (sky, or the inside of a "
-               "wall)";
-
-    const TreeCopy tree(device_, guiding_);
-    const LeafReport now = tree.leaf_at(hit.position, shown_.bucket_size);
-    const glm::vec3 earlier = position_before(scene_->host_instances()[hit.instance], hit.position);
-    const LeafReport before =
-        tree.leaf_at(hit.instance == 0 ? hit.position : earlier, shown_.bucket_size);
-    std::string text = fmt::format("under the crosshair: {:.1f} {:.1f} {:.1f}\n", hit.position.x,
-                                   hit.position.y, hit.position.z);
-    text += leaf_text(now) + "\n";
+    const std::optional<shader::PrimaryHit> hit = hit_under_crosshair();
+    if (!hit) return nothing_there;
+    const auto [now, before] =
+        leaves_of(*hit, *scene_, TreeCopy(device_, guiding_), shown_.bucket_size);
+    std::string text = place_text(*hit) + leaf_text(now) + "\n";
     // What moves uses the cache of where it was.
     if (before.leaf != now.leaf)
         text += "its light cache is that of where it was a frame ago:\n" + leaf_text(before) + "\n";
     return text + cache_text(*scene_, before, shown_.dynamic_lights);
+}
+
+std::string VkptRenderer::describe_directions() const {
+    if (!scene_) return "no level is loaded";
+    if (shown_.cdq_bits == 0)
+        return "no quadtrees of directions guided rays in the last frame: pt_guide cdq makes them";
+    const std::optional<shader::PrimaryHit> hit = hit_under_crosshair();
+    if (!hit) return nothing_there;
+    const auto [now, before] =
+        leaves_of(*hit, *scene_, TreeCopy(device_, guiding_), shown_.bucket_size);
+    std::string text = place_text(*hit) + leaf_text(now) + "\n";
+    text += fmt::format("  rays            {} brought light in this frame, room for {}\n", now.rays,
+                        now.room);
+    // What moves uses the quadtree of where it was.
+    if (before.leaf != now.leaf)
+        text += fmt::format("its quadtree is that of leaf {}, where it was a frame ago:\n",
+                            before.leaf);
+    return text + cdq_text(report_cdq(before.cdq, shown_.cdq_bits, hit->normal), most_cells_listed);
 }
 
 } // namespace vigil::vkpt

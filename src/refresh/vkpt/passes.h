@@ -20,6 +20,7 @@ namespace vigil::vkpt {
     ROW(Primary,    "primary")    /* camera rays */ \
     ROW(Direct,     "direct")     /* next event estimation at the primary hit */ \
     ROW(Indirect,   "indirect")   /* BRDF rays and next event estimation where they land */ \
+    ROW(Directions, "directions") /* radiance that arrives at the crosshair, for pt_view cdq */ \
     ROW(Accumulate, "accumulate") /* running mean and tile luminances */ \
     ROW(Exposure,   "exposure")   /* automatic exposure */ \
     ROW(Tonemap,    "tonemap")    /* radiance to 8-bit sRGB, or a debug view */ \

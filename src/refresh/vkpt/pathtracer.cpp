@@ -4,6 +4,8 @@
 #include "common/error.h"
 #include "refresh/vkpt/light/ltc_table.h"
 #include "refresh/vkpt/shader_library.h"
+#include "shared/direction_map.h"
+#include "shared/views.h"
 
 #include <algorithm>
 
@@ -29,6 +31,10 @@ std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
             {12, features.animation}, {13, features.lights}};
 }
 
+std::string technique_name(const PathTracerVariant& variant) {
+    return std::string(technique_infos[static_cast<size_t>(variant.technique)].name);
+}
+
 } // namespace
 
 PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache,
@@ -44,6 +50,11 @@ PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cach
                                                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     technique_set_ = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
     layout_ = gpu::make_pipeline_layout(device, set_layouts());
+    direction_map_ =
+        gpu::Buffer(device,
+                    sizeof(float) * (shader::DIRECTION_MAP_GROUPS +
+                                     shader::DIRECTION_MAP_EDGE * shader::DIRECTION_MAP_EDGE),
+                    gpu::MemoryUse::Device, "direction map");
     ltc_ = gpu::make_buffer(device, std::as_bytes(ltc_table()), "LTC table");
     accumulate_ = {device, layout_.get(), &cache, shader_code("accumulate"), {}, "accumulate"};
     exposure_pipeline_ = {device, layout_.get(), &cache, shader_code("exposure"), {}, "exposure"};
@@ -92,6 +103,7 @@ void PathTracer::bind(const Scene& scene, const LightTechnique& technique) {
     scene_set_.bind(BINDING_EXPOSURE, exposure_);
     scene_set_.bind(BINDING_COUNTERS, counters_);
     scene_set_.bind(BINDING_DISPLAY, display_);
+    scene_set_.bind(BINDING_DIRECTION_MAP, direction_map_);
     // The compute backend's pipelines do not look at this binding.
     if (scene.acceleration_structure() != VK_NULL_HANDLE)
         scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, scene.acceleration_structure());
@@ -100,32 +112,48 @@ void PathTracer::bind(const Scene& scene, const LightTechnique& technique) {
         technique_set_.bind(i, bindings[i] ? *bindings[i] : unused_);
 }
 
-const PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& variant) {
-    const auto known = std::find_if(variants_.begin(), variants_.end(),
-                                    [&](const auto& made) { return made->variant == variant; });
-    if (known != variants_.end()) return **known;
+gpu::ComputePipeline PathTracer::make_pipeline(const PathTracerVariant& variant,
+                                               const std::string& name) {
     std::vector<gpu::Specialization> constants = specialization(variant.features);
     constants.push_back({14, variant.cdq_bits});
     const std::string backend = variant.ray_query ? ".query" : "";
-    const std::string technique(technique_infos[static_cast<size_t>(variant.technique)].name);
-    const auto make = [&](const std::string& name) {
-        return gpu::ComputePipeline(device_, layout_.get(), &cache_, shader_code(name + backend),
-                                    constants, name.c_str());
-    };
+    return {device_, layout_.get(), &cache_, shader_code(name + backend), constants, name.c_str()};
+}
+
+PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& variant) {
+    const auto known = std::find_if(variants_.begin(), variants_.end(),
+                                    [&](const auto& made) { return made->variant == variant; });
+    if (known != variants_.end()) return **known;
+    const std::string technique = technique_name(variant);
     auto made = std::make_unique<Pipelines>();
     made->variant = variant;
-    made->primary = make("primary");
-    made->direct = make("direct." + technique);
-    made->indirect = make("indirect." + technique);
-    made->tonemap = make("tonemap");
+    made->primary = make_pipeline(variant, "primary");
+    made->direct = make_pipeline(variant, "direct." + technique);
+    made->indirect = make_pipeline(variant, "indirect." + technique);
+    made->tonemap = make_pipeline(variant, "tonemap");
     variants_.push_back(std::move(made));
     return *variants_.back();
+}
+
+void PathTracer::record_direction_map(gpu::FrameCommands& commands, Pipelines& made,
+                                      uint32_t paths) {
+    if (!made.direction_map)
+        made.direction_map =
+            make_pipeline(made.variant, "direction_map." + technique_name(made.variant));
+    const VkCommandBuffer buffer = commands.commands();
+    // None of the frame's paths: the octree and its caches do not learn from a view.
+    const uint32_t push[2] = {paths, paths};
+    vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push), push);
+    const PassScope scope(device_, commands, Pass::Directions);
+    made.direction_map.bind(buffer);
+    constexpr uint32_t groups = shader::DIRECTION_MAP_EDGE / 8;
+    vkCmdDispatch(buffer, groups, groups, 1);
 }
 
 void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
                         const shader::FrameParams& params, uint32_t paths, bool samples_lights,
                         VkDescriptorSet guiding) {
-    const Pipelines& made = pipelines(variant);
+    Pipelines& made = pipelines(variant);
     const VkCommandBuffer buffer = commands.commands();
     const std::array sets{scene_set_.handle(), technique_set_.handle(), guiding};
     vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
@@ -146,6 +174,7 @@ void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& v
         if (samples_lights && variant.features.lights) run(Pass::Direct, made.direct, tiles);
         run(Pass::Indirect, made.indirect, tiles);
     }
+    if (params.cvars.pt_view == shader::VIEW_CDQ) record_direction_map(commands, made, paths);
     run(Pass::Accumulate, accumulate_, tiles);
     run(Pass::Exposure, exposure_pipeline_, {1, 1});
     run(Pass::Tonemap, made.tonemap, tiles);

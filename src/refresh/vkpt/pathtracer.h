@@ -45,6 +45,8 @@ public:
     const gpu::Buffer& mean_radiance() const { return accumulation_; }
     const gpu::Buffer& counters() const { return counters_; }
     const gpu::Buffer& primary_hits() const { return surfaces_; }
+    /// Light that arrives at the crosshair, for pt_view cdq: shaders/debug/direction_map.glsl.
+    const gpu::Buffer& direction_map() const { return direction_map_; }
     VkPipelineLayout layout() const { return layout_.get(); }
     /// Layouts of sets 0, 1 and 2.
     std::array<VkDescriptorSetLayout, 3> set_layouts() const {
@@ -57,15 +59,18 @@ private:
     struct Pipelines {
         PathTracerVariant variant;
         gpu::ComputePipeline primary, direct, indirect, tonemap;
+        gpu::ComputePipeline direction_map; // made when pt_view cdq asks for it
     };
-    const Pipelines& pipelines(const PathTracerVariant& variant);
+    gpu::ComputePipeline make_pipeline(const PathTracerVariant& variant, const std::string& name);
+    Pipelines& pipelines(const PathTracerVariant& variant);
+    void record_direction_map(gpu::FrameCommands& commands, Pipelines& made, uint32_t paths);
 
     const gpu::Device& device_;
     const gpu::PipelineCache& cache_;
     VkDescriptorSetLayout guiding_layout_;
     glm::uvec2 size_{0, 0};
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
-        display_, ltc_;
+        display_, ltc_, direction_map_;
     gpu::DescriptorSet scene_set_, technique_set_;
     gpu::Handle<VkPipelineLayout> layout_;
     gpu::ComputePipeline accumulate_, exposure_pipeline_;

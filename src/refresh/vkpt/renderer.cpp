@@ -8,6 +8,7 @@
 #include "refresh/vkpt/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
+#include "shared/views.h"
 #include "world/level.h"
 
 #include <algorithm>
@@ -174,9 +175,11 @@ shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
 }
 
 void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
-    // The running mean goes on while nothing that the picture depends on has changed. Frame
-    // counters are still zero in `params`; tone mapping and views come after the mean.
+    // The running mean goes on while nothing that the picture depends on has changed, and so does
+    // the view's. Frame counters are still zero in `params`; tone mapping and views come after the
+    // mean. Time only moves textures.
     shader::FrameParams relevant = params;
+    if (!scene_->features().liquid && !scene_->features().animation) relevant.time_s = 0.0f;
     relevant.cvars.pt_exposure = relevant.cvars.pt_exposure_bias = 0.0f;
     relevant.cvars.pt_tonemap = relevant.cvars.pt_view = 0;
     const uint64_t settings[] = {scene_->revision(),
@@ -188,7 +191,9 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     std::vector<std::byte> key(sizeof(relevant) + sizeof(settings));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), settings, sizeof(settings));
-    if (cvars()->pt_accumulate == 0 || key != accumulation_key_) accumulated_ = 0;
+    const bool changed = key != accumulation_key_;
+    if (changed || cvars()->pt_accumulate == 0) accumulated_ = 0;
+    if (changed) view_accumulated_ = 0;
     accumulation_key_ = std::move(key);
 }
 
@@ -224,6 +229,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         const bool accumulating = cvars()->pt_accumulate != 0;
         params.frame = static_cast<uint32_t>(frame_number_);
         params.accumulated = accumulated_;
+        params.view_accumulated = view_accumulated_;
         params.jitter =
             cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
         params.samples_lights = technique_->samples_lights() && scene_->features().lights ? 1u : 0u;
@@ -234,10 +240,14 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
                             technique_->samples_lights(), guiding_.set());
         legend_.record(commands, path_tracer_.display(),
                        {cvars()->pt_view, technique_id_, params.samples_lights != 0,
-                        params.guided != 0, path_tracer_.size(), technique_->uses_guiding()});
+                        params.guided != 0, path_tracer_.size(), technique_->uses_guiding(),
+                        variant.cdq_bits > 0});
         ++accumulated_;
+        const bool maps_directions = params.cvars.pt_view == shader::VIEW_CDQ;
+        view_accumulated_ = maps_directions ? view_accumulated_ + 1 : 0;
         shown_.guided = params.guided != 0;
         shown_.bucket_size = static_cast<uint32_t>(params.cvars.pt_vlc_bucket);
+        shown_.cdq_bits = variant.cdq_bits;
         shown_.dynamic_lights = static_cast<size_t>(
             std::ranges::count_if(frame.dynamic_lights, [](const refresh::DynamicLight& light) {
                 return light.radius > 0.0f;

@@ -32,6 +32,7 @@ public:
     std::string describe_device() const override;
     std::string describe_guiding() const override;
     std::string describe_leaf() const override;
+    std::string describe_directions() const override;
     void reset_guiding() override;
     void export_scene(const refresh::Frame& frame, const std::string& path) override;
 
@@ -46,6 +47,8 @@ public:
     /// Whether the octree is kept: for the technique, or for the quadtrees.
     bool guided() const;
     const Legend& legend() const { return legend_; }
+    /// Frames in the running mean of pt_view's map of directions.
+    uint32_t view_accumulated() const { return view_accumulated_; }
     /// Radiance values so far that were not finite.
     uint32_t nonfinite_count() const;
 
@@ -63,6 +66,7 @@ private:
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
     void finish_slot(size_t slot);
+    std::optional<shader::PrimaryHit> hit_under_crosshair() const;
     std::string guiding_off_text() const; // empty if it was on in the last frame
     std::string guiding_line() const;     // of `scene`
     void present(gpu::FrameCommands& commands, const refresh::Frame& frame);
@@ -91,11 +95,13 @@ private:
 
     uint64_t frame_number_ = 0;
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render
-    std::vector<std::byte> accumulation_key_; // what the running mean depends on
+    uint32_t view_accumulated_ = 0;           // the same of the view's
+    std::vector<std::byte> accumulation_key_; // what both depend on
     /// What the last frame showed, for texts about it.
     struct Shown {
         bool guided = false;
         uint32_t bucket_size = 0;
+        uint32_t cdq_bits = 0;     // 0: no quadtrees
         size_t dynamic_lights = 0; // the last instances of the scene
     };
     Shown shown_;

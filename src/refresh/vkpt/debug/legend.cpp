@@ -46,6 +46,16 @@ void add_depth_bar(LegendContent& content) {
             {1.0f - shader::view_depth_grey(distance), fmt::format("{:.0f}", distance)});
 }
 
+/// A bar of densities per steradian, marked at powers of ten.
+void add_density_bar(LegendContent& content) {
+    for (int i = 0; i < bar_steps; ++i)
+        content.bar.push_back(
+            shader::color_map((static_cast<float>(i) + 0.5f) / static_cast<float>(bar_steps)));
+    for (const float density : {0.1f, 1.0f, 10.0f, 100.0f})
+        content.marks.push_back({shader::density_on_scale(density), fmt::format("{:g}", density)});
+    content.classes.push_back({shader::VIEW_EMPTY, "none"});
+}
+
 bool is_of_guiding(int view) {
     return view == shader::VIEW_OCTREE || view == shader::VIEW_SAMPLES ||
            view == shader::VIEW_VLC_LIGHTS || view == shader::VIEW_VLC_BUCKETS;
@@ -154,8 +164,11 @@ Layout lay_out(const LegendContent& content, const Letters& letters, uint32_t sc
     uint32_t inner = std::max(letters.width_of(content.title), layout.bar_width);
     for (const LegendContent::Class& row : content.classes)
         inner = std::max(inner, layout.swatch + layout.pad + letters.width_of(row.text));
+    for (const std::string& note : content.notes)
+        inner = std::max(inner, letters.width_of(note));
     layout.width = inner + 2 * layout.pad;
-    layout.height = layout.pad + layout.line * static_cast<uint32_t>(1 + content.classes.size());
+    const size_t lines = 1 + content.classes.size() + content.notes.size();
+    layout.height = layout.pad + layout.line * static_cast<uint32_t>(lines);
     if (!content.bar.empty()) layout.height += layout.bar_height + 2 * scale + layout.line;
     layout.height += layout.pad;
     return layout;
@@ -207,6 +220,16 @@ LegendContent legend_content(const LegendSubject& subject) {
     case shader::VIEW_VLC_BUCKETS:
         content.title = "buckets of the leaf's cache";
         add_count_bar(content, shader::VIEW_MOST_BUCKETS, 2.0f);
+        break;
+    case shader::VIEW_CDQ:
+        content.title = "directions: density per sr";
+        add_density_bar(content);
+        content.classes.push_back({shader::VIEW_HORIZON, "horizon of the surface"});
+        content.classes.push_back({shader::VIEW_OFF, subject.quadtrees
+                                                         ? "nothing under the cross"
+                                                         : "quadtrees off: pt_guide brdf"});
+        content.notes = {"left: drawn by the quadtree", "right: light that arrives",
+                         "middle: up; corners: down"};
         break;
     case shader::VIEW_TECHNIQUE:
         content.title = "light sample drawn by";
@@ -263,6 +286,10 @@ LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height) 
         fill(pixels, {layout.pad + scale, y + 3 * scale},
              {layout.swatch - 2 * scale, layout.swatch - 2 * scale}, row.color);
         letters.draw(pixels, {2 * layout.pad + layout.swatch, y}, row.text);
+        y += layout.line;
+    }
+    for (const std::string& note : content.notes) {
+        letters.draw(pixels, {layout.pad, y}, note);
         y += layout.line;
     }
     return pixels;

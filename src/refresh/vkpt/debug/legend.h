@@ -22,7 +22,8 @@ struct LegendSubject {
     bool samples_lights = false; // as in FrameParams
     bool guided = false;
     glm::uvec2 picture_size{0, 0};
-    bool caches = false; // the technique draws from light caches, and explores
+    bool caches = false;    // the technique draws from light caches, and explores
+    bool quadtrees = false; // they guide rays
     bool operator==(const LegendSubject&) const = default;
 };
 
@@ -40,6 +41,7 @@ struct LegendContent {
     std::vector<glm::vec3> bar; // colours from left to right; empty: no bar
     std::vector<Mark> marks;
     std::vector<Class> classes;
+    std::vector<std::string> notes; // lines below all else
 };
 
 /// Without a title where the view needs no legend.

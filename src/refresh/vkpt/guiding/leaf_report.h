@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the guiding knows at one place, read back to the host: the octree's leaf with its path and
-// cube, its sample counts, its neighbours, and the Visibility Light Cache by buckets. For commands
-// and tests: reading waits for the GPU.
+// cube, its sample counts, its neighbours, its directional quadtree, and the Visibility Light Cache
+// by buckets. For commands and tests: reading waits for the GPU.
 #pragma once
 
 #include "refresh/vkpt/guiding/guiding.h"
@@ -21,7 +21,9 @@ struct LeafReport {
     glm::vec3 corner{0.0f};         // lowest corner of its cube, map units
     float size = 0.0f;              // edge of its cube, map units
     uint32_t samples = 0;           // surface samples of the frame that was rendered last
-    uint32_t room = 0;              // light samples that fit
+    uint32_t room = 0;              // light samples that fit, and as many ray samples
+    uint32_t rays = 0;              // of the frame that was rendered last, those that brought light
+    glm::uvec4 cdq{0};              // directional quadtree; meaningless while pt_guide is brdf
     uint32_t source = shader::NONE; // leaf of the tree before, from which its cache came
     std::array<uint32_t, 6> neighbours{};       // beyond -x +x -y +y -z +z; NONE outside the root
     std::vector<std::vector<uint32_t>> buckets; // light ids

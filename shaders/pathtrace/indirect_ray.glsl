@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// An indirect ray: how it is drawn, by the BRDF or by what was learned about directions, and what it brings from where it
+// ends. Compiled once per technique; a technique whose lights are found by rays also collects their emission.
+#ifndef VIGIL_PATHTRACE_INDIRECT_RAY_GLSL
+#define VIGIL_PATHTRACE_INDIRECT_RAY_GLSL
+
+#include "pathtrace/sky.glsl"
+#include "pathtrace/next_event.glsl"
+#include "guiding/octree.glsl"
+#include "shared/cdq.h"
+
+#ifndef LIGHTS_FOUND_BY_RAYS
+#define LIGHTS_FOUND_BY_RAYS 0
+#endif
+
+// Later hits see textures through a wide cone: their detail is averaged by the integral anyway.
+const float INDIRECT_SPREAD = 0.1;
+
+/// Radiance that a ray collects from what it runs into, without what next event estimation covers.
+vec3 collect(Vertex vertex, vec3 direction) {
+    if (vertex.sky) return sky_radiance(direction);
+    return LIGHTS_FOUND_BY_RAYS != 0 ? vertex.emission : vec3(0.0);
+}
+
+/// A ray's part in what its surface's leaf learns about directions.
+struct Guided {
+    uint leaf;  // that stores it
+    uvec2 grid; // cell of its direction
+    float pdf;  // per steradian
+};
+
+/// Draws a direction by the BRDF, or, in a part of the draws, by the quadtree of the surface's leaf (paper, section 5.2). Its density
+/// is that of the mixture.
+vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
+    const vec3 u = random_next3(random);
+    if (CDQ_BITS == 0u) {
+        const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, u);
+        seen = drawn.seen;
+        return drawn.direction;
+    }
+    const SurfaceLeaves found = find_leaves(surface);
+    const uvec4 tree = load_cdq(found.cache);
+    const float brdf_part = frame.cvars.pt_cdq_brdf;
+    vec3 direction;
+    if (random_next(random) < brdf_part)
+        direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
+    else
+        direction = cdq_sample(tree, CDQ_BITS, u);
+    seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
+    const vec2 uv = octahedral_encode(direction);
+    seen.pdf = mix(cdq_leaf_pdf(CDQ_BITS, cdq_find(tree, uv).depth, direction), seen.pdf, brdf_part);
+    guided.leaf = found.samples;
+    guided.grid = uvec2(uv * float(1u << CDQ_MAX_DEPTH));
+    guided.pdf = seen.pdf;
+    if (LEARNS_FROM_LIGHT_SAMPLES == 0 && path_index == 0u) count_surface(found.samples);
+    return direction;
+}
+
+/// Sends a ray from `surface`. Returns false if the path ends there; `weight` is what the ray's radiance is multiplied with.
+bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray, out Guided guided) {
+    BrdfValue seen;
+    ray.origin = surface.origin;
+    ray.direction = draw_direction(surface, random, seen, guided);
+    ray.t_min = 0.0;
+    ray.t_max = 1e30;
+    weight = vec3(0.0);
+    if (!(seen.pdf > 0.0)) return false;
+    weight = seen.value / seen.pdf;
+    return max(weight.x, max(weight.y, weight.z)) > 0.0;
+}
+
+/// Where a ray ended.
+struct RayEnd {
+    vec3 brought;    // radiance along the ray, towards its origin: without what further rays find
+    bool goes_on;    // a further ray may be sent from `surface`, which is not set otherwise
+    Surface surface;
+};
+
+/// Sees what is there, and, if `light` is true, samples the lights there.
+RayEnd follow_ray(Ray ray, bool light, inout Random random) {
+    RayEnd end;
+    end.brought = vec3(0.0);
+    end.goes_on = false;
+    Hit hit;
+    if (!trace_closest(ray, random_next_words(random).x, hit)) return end;
+    const Vertex vertex = describe_hit(ray, hit, INDIRECT_SPREAD, false);
+    end.brought = collect(vertex, ray.direction);
+    if (!vertex.lit || !light) return end;
+    end.goes_on = true;
+    end.surface = vertex.surface;
+    if (LIGHTS_FOUND_BY_RAYS == 0 && HAS_LIGHTS) end.brought += next_event_estimate(end.surface, random).radiance;
+    return end;
+}
+
+#endif
