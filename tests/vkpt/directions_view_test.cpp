@@ -123,7 +123,7 @@ TEST(DirectionInsets, AreTwoWholeSquares) {
 TEST_F(DirectionsView, QuadtreeIsThatOfTheLeaf) {
     load("rooms");
     set("pt_cdq_migrations", "4");
-    render(16);
+    render(30);
     const shader::PrimaryHit hit = crosshair_hit();
     ASSERT_NE(hit.primitive, shader::NONE);
     const vkpt::TreeCopy trees(renderer().device(), renderer().guiding());
@@ -144,7 +144,7 @@ TEST_F(DirectionsView, QuadtreeIsThatOfTheLeaf) {
         depths.insert(shader::cdq_find(tree, inset.uv).depth);
     });
     EXPECT_GT(horizon, 20u);
-    EXPECT_GT(depths.size(), 3u) << "an even tree shows nothing";
+    EXPECT_GT(depths.size(), 2u) << "an even tree has two levels, and shows nothing";
 }
 
 TEST_F(DirectionsView, ArrivingLightIsThatOfTheMap) {
