@@ -42,6 +42,22 @@ Strata constant(double value) {
 
 } // namespace
 
+TEST(PictureError, KnowsTheBrightPart) {
+    // Ten pixels of which one is bright; errors of 1 there and 2 elsewhere.
+    Reference reference(30);
+    std::vector<float> picture(30, 1.0f);
+    std::fill_n(picture.begin(), 3, 100.0f);
+    reference.add(picture);
+    reference.add(picture);
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        picture[i] += i < 3 ? 1.0f : 2.0f;
+    EXPECT_DOUBLE_EQ(picture_error(picture, reference).bright_mse, 1.0);
+    Reference even(30);
+    even.add(std::vector<float>(30, 1.0f));
+    even.add(std::vector<float>(30, 1.0f));
+    EXPECT_TRUE(std::isnan(picture_error(picture, even).bright_mse));
+}
+
 TEST(StudentT, AgreesWithPublishedTables) {
     EXPECT_NEAR(student_t_quantile(0.975, 1.0), 12.706205, 1e-4);
     EXPECT_NEAR(student_t_quantile(0.975, 3.0), 3.182446, 1e-5);
