@@ -39,7 +39,7 @@ void find_lists(uint leaf) {
 /// By how many frames the entries of the cache of the frame before are older now: by one, if any sample could have seen the
 /// light. The lights of a leaf that was split are soon forgotten by those of its parts that do not see them.
 uint ageing(bool inherited) {
-    if (inherited) return (3u * settings.persist + 3u) / 4u;
+    if (inherited) return (7u * settings.persist + 7u) / 8u;
     return samples > 0u ? 1u : 0u;
 }
 

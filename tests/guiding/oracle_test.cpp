@@ -259,10 +259,11 @@ TEST_F(VlcOracle, LightsThatWereNotSeenGrowOlder) {
     EXPECT_EQ(caches.by_leaf.at("0").ages, (Ages{{1, 0}, {2, 0}, {4, 2}})); // 8 is too old
     EXPECT_EQ(caches.by_leaf.at("7").ages, (Ages{{4, 1}}));
 
-    // What was learned in a larger leaf is forgotten after a quarter of the time.
+    // What was learned in a larger leaf is forgotten after an eighth of the time.
     samples["0"].inherited = true;
+    limits.persist = 16;
     caches = make_caches(inner, samples, limits);
-    EXPECT_EQ(caches.by_leaf.at("0").ages, (Ages{{1, 0}, {2, 0}, {4, 4}}));
+    EXPECT_EQ(caches.by_leaf.at("0").ages, (Ages{{1, 0}, {2, 0}, {4, 15}}));
 
     limits.persist = 0;
     caches = make_caches(inner, samples, limits);

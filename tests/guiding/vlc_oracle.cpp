@@ -150,7 +150,7 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
             if (3 * (entries + before) <= 2 * most_buckets * limits.bucket) {
                 entries += before;
                 uint32_t older = samples_near > 0 ? 1 : 0;
-                if (leaf_samples.inherited) older = (3 * limits.persist + 3) / 4;
+                if (leaf_samples.inherited) older = (7 * limits.persist + 7) / 8;
                 for (const auto& [light, age] : leaf_samples.previous)
                     if (age + older <= limits.persist) lights.try_emplace(light, age + older);
             }
