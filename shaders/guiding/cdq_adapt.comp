@@ -48,8 +48,15 @@ uint find_node(uvec2 grid) {
     return node;
 }
 
-/// Adds up the samples: lanes that found the same leaf first among themselves, then in shared memory.
-void accumulate(uint first, uint count, uint stride) {
+/// Rays that an octree leaf has stored.
+uint stored_rays(uint leaf) { return min(old_leaves[leaf_word(LEAF_RAYS, 1u, leaf)], old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf) + 1u]); }
+
+/// Adds up an octree leaf's rays, of `rays` > 0 at most `most`, evenly: lanes that found the same quadtree leaf first among themselves,
+/// then in shared memory.
+void accumulate(uint leaf, uint rays, uint most) {
+    const uint first = old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf)];
+    const uint count = min(rays, most);
+    const uint stride = rays / count;
     for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
         const uint ray = ray_samples[first + i * stride];
         const float contribution = ray_sample_contribution(ray);
@@ -144,22 +151,31 @@ void move_sums(uvec4 tree, uint inner, uint leaf) {
 void main() {
     const uint lane = gl_LocalInvocationID.x;
     const uint octree_leaf_index = leaf_lists[gl_WorkGroupID.x];
-    const uint storage = leaf_word(LEAF_STORAGE, 2u, octree_leaf_index);
-    const uint rays = min(old_leaves[leaf_word(LEAF_RAYS, 1u, octree_leaf_index)], old_leaves[storage + 1u]);
-    if (rays == 0u) return;
+    const uint own_rays = stored_rays(octree_leaf_index);
+    if (own_rays == 0u) return;
     const uint words = leaf_word(LEAF_CDQ, 4u, octree_leaf_index);
     uvec4 tree = uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]);
 
-    // The few rays of one frame say too little about a hundred directions: earlier ones count as well, the less the more new ones
-    // there are.
-    const float kept = cdq_kept(settings, old_leaf_count(octree_leaf_index));
+    // The few rays of one leaf and frame say too little about a hundred directions. Those of its neighbours count as well, one face after
+    // the other until there are enough, and those of earlier frames, the less the more new ones there are.
+    uint rays = own_rays;
+    uint faces = 0u;
+    for (; faces < 6u && rays < settings.memory_rays; ++faces) {
+        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, octree_leaf_index) + faces];
+        if (neighbour != NONE) rays += stored_rays(neighbour);
+    }
+    const float kept = cdq_kept(settings, rays);
     const uint memory = leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, octree_leaf_index);
     for (uint node = lane; node < CDQ_BITS; node += LANES)
         sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
     find_children(tree);
     barrier();
-    const uint processed = min(rays, CDQ_MOST_RAYS);
-    accumulate(old_leaves[storage], processed, rays / processed);
+    accumulate(octree_leaf_index, own_rays, CDQ_MOST_RAYS);
+    for (uint face = 0u; face < faces; ++face) {
+        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, octree_leaf_index) + face];
+        const uint more = neighbour == NONE ? 0u : stored_rays(neighbour);
+        if (more > 0u) accumulate(neighbour, more, CDQ_MOST_NEIGHBOUR_RAYS);
+    }
     barrier();
     uint migrated = 0u;
     for (; migrated < settings.migrations; ++migrated) {

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One light chosen in proportion to its importance while walking past candidates (a weighted reservoir of one): each replaces the choice
+// One candidate chosen in proportion to its importance while walking past many (a weighted reservoir of one): each replaces the choice
 // with probability importance / sum so far, and the random number is stretched again after each use.
 #ifndef VIGIL_LIGHT_RESERVOIR_GLSL
 #define VIGIL_LIGHT_RESERVOIR_GLSL
 
 struct Reservoir {
     float sum;               // of importances
-    uint chosen;             // a light; NONE if all importances were 0
+    uint chosen;             // number of a candidate, say a light; NONE if all importances were 0
     float chosen_importance;
     float u;                 // random, in [0, 1)
 };
 
 Reservoir new_reservoir(float u) { return Reservoir(0.0, NONE, 0.0, u); }
 
-void reservoir_add(inout Reservoir reservoir, uint light, float importance) {
+void reservoir_add(inout Reservoir reservoir, uint candidate, float importance) {
     if (!(importance > 0.0)) return;
     reservoir.sum += importance;
     const float share = importance / reservoir.sum;
     if (reservoir.u < share) {
-        reservoir.chosen = light;
+        reservoir.chosen = candidate;
         reservoir.chosen_importance = importance;
         reservoir.u /= share;
     } else {

@@ -4,6 +4,7 @@
 #define VIGIL_PATHTRACE_NEXT_EVENT_GLSL
 
 #include "light/importance.glsl"
+#include "light/reservoir.glsl"
 #include "light/technique.glsl"
 #include "shared/light_point.h"
 
@@ -29,8 +30,7 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
         share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light, near);
     PointChoice choice = PointChoice(vec3(0.0), vec3(0.0));
     const int points = frame.cvars.pt_light_points;
-    float sum = 0.0;
-    float kept = 1.0;
+    Reservoir reservoir = new_reservoir(v);
     for (int i = 0; i < points; ++i) {
         // Steps of the R2 sequence (Roberts 2018).
         const vec2 place = fract(u + float(i) * vec2(0.7548776662, 0.5698402910));
@@ -39,19 +39,10 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
         if (!(seen.geometry > 0.0)) continue;
         const vec3 value =
             brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry;
-        const float worth = max(value.x, max(value.y, value.z));
-        if (!(worth > 0.0)) continue;
-        sum += worth;
-        const float chance = worth / sum;
-        if (v < chance) {
-            choice = PointChoice(seen.point, value);
-            kept = worth;
-            v /= chance;
-        } else {
-            v = (v - chance) / (1.0 - chance);
-        }
+        reservoir_add(reservoir, uint(i), max(value.x, max(value.y, value.z)));
+        if (reservoir.chosen == uint(i)) choice = PointChoice(seen.point, value);
     }
-    choice.value *= sum / (kept * float(points));
+    if (reservoir.chosen != NONE) choice.value *= reservoir.sum / (reservoir.chosen_importance * float(points));
     return choice;
 }
 

@@ -89,6 +89,7 @@ SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
 /// The same for a leaf's ray samples, for the same reasons: each lane of a subgroup of four looks
 /// at 1,024, and finding a quadtree's leaf takes 11 rounds at most.
 SHADER_CONST uint CDQ_MOST_RAYS = 4096u;
+SHADER_CONST uint CDQ_MOST_NEIGHBOUR_RAYS = 512u; // of each of the six
 /// Invocations of the work groups that make caches: a subgroup, but no fewer than these.
 SHADER_CONST uint VLC_LEAST_LANES = 8u;
 /// The hash table in shared memory: light ids, and buckets (ids with equal remainder).

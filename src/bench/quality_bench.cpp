@@ -24,7 +24,8 @@ namespace {
 /// Before this many batches a reference's own variance is not believed.
 constexpr int least_batches = 6;
 
-using Pictures = std::vector<std::vector<std::vector<float>>>; // [row][seed or frame]: a picture
+using Run = std::vector<std::vector<float>>;    // a picture per frame
+using Pictures = std::vector<std::vector<Run>>; // [row][seed]
 
 /// Clamped settings and missing textures must be seen; what levels contain need not.
 class WarningLog {
@@ -46,8 +47,8 @@ double smallest_mse(const Pictures& pictures, const Reference& reference) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const auto& row : pictures) {
         double sum = 0.0;
-        for (const std::vector<float>& picture : row)
-            sum += picture_error(picture, reference).mse;
+        for (const Run& run : row)
+            sum += mean_error(run, reference).mse;
         smallest = std::min(smallest, sum / static_cast<double>(row.size()));
     }
     return smallest;
@@ -126,20 +127,20 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
             begin_view(row);
         for (int seed = 0; seed < options.seeds; ++seed) {
             for (std::size_t row = 0; row < options.rows.size(); ++row) {
-                Measurement measured =
-                    renderer.measure(place, options.rows[row], options.first_seed + seed);
+                Measurement measured = renderer.measure(place, options.rows[row],
+                                                        options.first_seed + seed, options.frames);
                 add_measurement(result.rows[row], measured);
-                pictures[row].push_back(std::move(measured.picture));
+                pictures[row].push_back(std::move(measured.pictures));
                 progress.advance(
                     fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
             }
         }
-        Reference reference(pictures[0][0].size());
+        Reference reference(pictures[0][0][0].size());
         result.views.push_back(
             make_reference(options, renderer, place, progress, reference, pictures));
         for (std::size_t row = 0; row < pictures.size(); ++row) {
-            for (const std::vector<float>& picture : pictures[row]) {
-                const PictureError error = picture_error(picture, reference);
+            for (const Run& run : pictures[row]) {
+                const PictureError error = mean_error(run, reference);
                 result.rows[row].mse.back().push_back(error.mse);
                 result.rows[row].trimmed_mse.back().push_back(error.trimmed_mse);
                 result.rows[row].trimmed_variance.back().push_back(error.trimmed_variance);
@@ -166,30 +167,29 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
         result.rows.push_back({row, std::vector<Strata>(options.curve_frames),
                                std::vector<Strata>(options.curve_frames)});
     for (const Place& place : renderer.places()) {
-        // [row * seeds + seed][frame]
-        Pictures pictures(options.rows.size() * options.seeds);
+        Pictures pictures(options.rows.size());
         for (int seed = 0; seed < options.seeds; ++seed) {
             for (std::size_t row = 0; row < options.rows.size(); ++row) {
                 renderer.begin_run(options.rows[row], options.first_seed + seed);
-                pictures[row * options.seeds + seed] =
-                    renderer.stand_still(place.measured(), options.curve_frames);
+                pictures[row].push_back(
+                    renderer.stand_still(place.measured(), options.curve_frames));
                 progress.advance(
                     fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
             }
         }
         // The last frames are the best ones.
         Pictures last(options.rows.size());
-        for (std::size_t run = 0; run < pictures.size(); ++run)
-            last[run / options.seeds].push_back(pictures[run].back());
-        Reference reference(last[0][0].size());
+        for (std::size_t row = 0; row < pictures.size(); ++row)
+            for (const Run& run : pictures[row])
+                last[row].push_back({run.back()});
+        Reference reference(last[0][0][0].size());
         result.views.push_back(make_reference(options, renderer, place, progress, reference, last));
         for (std::size_t row = 0; row < options.rows.size(); ++row) {
             for (int frame = 0; frame < options.curve_frames; ++frame) {
                 std::vector<double>& mse = result.rows[row].mse[frame].emplace_back();
                 std::vector<double>& trimmed = result.rows[row].trimmed_mse[frame].emplace_back();
-                for (int seed = 0; seed < options.seeds; ++seed) {
-                    const PictureError error =
-                        picture_error(pictures[row * options.seeds + seed][frame], reference);
+                for (const Run& run : pictures[row]) {
+                    const PictureError error = picture_error(run[frame], reference);
                     mse.push_back(error.mse);
                     trimmed.push_back(error.trimmed_mse);
                 }

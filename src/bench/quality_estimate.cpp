@@ -212,6 +212,21 @@ PictureError picture_error(std::span<const float> picture, const Reference& refe
     return error;
 }
 
+PictureError mean_error(std::span<const std::vector<float>> pictures, const Reference& reference) {
+    constexpr double PictureError::*members[] = {
+        &PictureError::mse,        &PictureError::trimmed_mse,     &PictureError::trimmed_variance,
+        &PictureError::bright_mse, &PictureError::bright_variance, &PictureError::relative_mse,
+        &PictureError::mean_ratio};
+    PictureError sum;
+    const auto count = static_cast<double>(pictures.size());
+    for (const std::vector<float>& picture : pictures) {
+        const PictureError error = picture_error(picture, reference);
+        for (double PictureError::*member : members)
+            sum.*member += error.*member / count;
+    }
+    return sum;
+}
+
 Settled settle(std::span<const double> curve, int tail, double factor) {
     const std::size_t last = std::min(curve.size(), static_cast<std::size_t>(tail));
     Settled settled{mean(curve.last(last)), static_cast<int>(curve.size()) + 1};

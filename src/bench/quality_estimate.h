@@ -68,6 +68,9 @@ struct PictureError {
 /// that of the reference: unbiased for `mse` if the two are independent.
 PictureError picture_error(std::span<const float> picture, const Reference& reference);
 
+/// Means over the pictures of a run, of which there must be one.
+PictureError mean_error(std::span<const std::vector<float>> pictures, const Reference& reference);
+
 /// Added to r^2 in the relative error: (a tenth of the reference's mean value)^2, so that black
 /// pixels do not decide, whatever unit radiance is in.
 double relative_floor(const Reference& reference);

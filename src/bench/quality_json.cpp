@@ -139,6 +139,7 @@ ordered_json settings_json(const QualityOptions& options, const std::string& dev
             {"seeds", options.seeds},
             {"first_seed", options.first_seed},
             {"warmup", options.warmup},
+            {"frames", options.frames},
             {"camera_fps", place_fps},
             {"baseline", options.baseline},
             {"trimmed_share", trimmed_share},

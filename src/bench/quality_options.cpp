@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view usage =
     "--level NAME, --basedir FOLDER, --shared, --views N, --seeds S, --first-seed N, --warmup W, "
-    "--size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, --baseline "
+    "--frames N, --size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, "
+    "--baseline "
     "LABEL, --reference ROW, --reference-paths N, --fresh, --curve, --curve-frames N, --quick, "
     "--json FILE";
 
@@ -124,6 +125,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--seeds", [&] { count("--seeds", options.seeds, 1, 1000); }},
         {"--first-seed", [&] { count("--first-seed", options.first_seed, 0, 1000000); }},
         {"--warmup", [&] { count("--warmup", options.warmup, 0, 900); }},
+        {"--frames", [&] { count("--frames", options.frames, 1, 900); }},
         {"--size", [&] { options.size = parse_size("--size", value()); }},
         {"--technique",
          [&] {

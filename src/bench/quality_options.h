@@ -34,7 +34,8 @@ struct QualityOptions {
     int views = 4;                 // places per level
     int seeds = 8;                 // repeats
     int first_seed = 1;            // pt_seed of the first
-    int warmup = 16;               // frames before the measured one
+    int warmup = 16;               // frames before the measured ones
+    int frames = 1;                // measured in each run
     glm::ivec2 size{320, 180};     // pixels
     int reference_paths = 1024;    // most paths per pixel of a reference
     double reference_share = 0.02; // of the smallest MSE: variance that a reference may have

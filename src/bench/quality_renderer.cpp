@@ -113,17 +113,18 @@ std::uint64_t QualityRenderer::render(const Pose& pose) {
     return renderer_->render(frame);
 }
 
-Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, int seed) {
+Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, int seed,
+                                     int frames) {
     begin_run(row, seed);
     renderer_->take_frame_times(true);
-    std::uint64_t number = 0;
-    for (const Pose& pose : place.frames)
-        number = render(pose);
+    const std::size_t warmup = place.frames.size() - 1;
+    std::uint64_t first_timed = 0;
+    for (std::size_t frame = 0; frame < warmup; ++frame)
+        first_timed = render(place.frames[frame]) + 1;
+    first_timed -= warmup / 2;
     Measurement result;
-    result.picture = renderer_->read_radiance().rgb;
+    result.pictures = stand_still(place.measured(), frames);
 
-    // Times of the later frames.
-    const std::uint64_t first_timed = number - (place.frames.size() - 1) / 2;
     std::vector<std::vector<double>> times(std::size(vkpt::pass_names));
     for (const refresh::FrameTimes& frame : renderer_->take_frame_times(true)) {
         if (frame.frame < first_timed) continue;

@@ -20,14 +20,15 @@ namespace vigil::bench {
 /// Paths per pixel of one batch of a reference.
 inline constexpr int reference_batch_paths = 8;
 
-/// What was seen of one measured frame.
+/// What was seen of one run's measured frames.
 struct Measurement {
-    std::vector<float> picture; // linear radiance, RGB, rows from the top
-    // Median milliseconds by pass (the order of refresh/vkpt/passes.h) over the measured frame and
-    // the second half of its warm-up; 0 where the pass did not run.
+    std::vector<std::vector<float>> pictures; // linear radiance, RGB, rows from the top
+    // Median milliseconds by pass (the order of refresh/vkpt/passes.h) over the second half of the
+    // warm-up and the measured frames; 0 where the pass did not run.
     std::vector<double> pass_ms;
-    // Shares of the primary hits that have something to light, NaN where no light is sampled: whose
-    // light sample contributed nothing, and whose sample looked for new lights.
+    // Of the last frame: shares of the primary hits that have something to light, NaN where no
+    // light is sampled: whose light sample contributed nothing, and whose sample looked for new
+    // lights.
     double unlit = 0.0;
     double explored = 0.0;
 };
@@ -44,11 +45,12 @@ public:
     /// Radiance values so far that were not finite and count as 0.
     std::uint32_t nonfinite_count() const { return renderer_->nonfinite_count(); }
 
-    /// Renders the warm-up and the measured frame from empty caches.
-    Measurement measure(const Place& place, const QualityRow& row, int seed);
+    /// Renders the warm-up and the measured frames from empty caches; frames after the first stand
+    /// still.
+    Measurement measure(const Place& place, const QualityRow& row, int seed, int frames);
     /// Sets a row's variables and empties all caches, for stand_still().
     void begin_run(const QualityRow& row, int seed);
-    /// The pictures of `frames` more frames that stand still at the pose.
+    /// The pictures of `frames` >= 1 more frames that stand still at the pose.
     std::vector<std::vector<float>> stand_still(const Pose& pose, int frames);
     /// Turns brush models as the console's `turn` does; degrees. References know it.
     void turn(const std::string& target, float yaw);

@@ -9,6 +9,7 @@
 #include "common/cvar.h"
 #include "common/output.h"
 
+#include <array>
 #include <cstdio>
 #include <map>
 
@@ -24,7 +25,7 @@ Reference make_reference(const RingOptions& options, QualityRenderer& renderer, 
                          int degrees) {
     renderer.turn(lamp, static_cast<float>(degrees));
     Reference reference(std::size_t{3} * options.size.x * options.size.y);
-    const QualityRow row = ring_rows()[1];
+    const QualityRow row = ring_rows(std::array{64}).front();
     const int batches = options.reference_paths / reference_batch_paths;
     renderer.complete(
         reference, pose,
@@ -61,7 +62,7 @@ void measure(const RingOptions& options, QualityRenderer& renderer, const Pose& 
 RingTurn measure_turn(const RingOptions& options, QualityRenderer& renderer, const Pose& pose,
                       int degrees, const std::map<int, Reference>& references) {
     RingTurn turn{degrees, references.at(degrees).mean_variance(), {}};
-    for (const QualityRow& row : ring_rows())
+    for (const QualityRow& row : ring_rows(options.bits))
         turn.rows.push_back({row, {}, {}});
     for (int seed = 1; seed <= options.seeds; ++seed) {
         for (RingRow& row : turn.rows)
@@ -81,7 +82,7 @@ int run_ring_bench(std::span<const std::string> arguments) {
         cvars().set(setting.name, setting.value);
     QualityOptions place;
     place.basedirs = default_basedirs();
-    place.rows = ring_rows();
+    place.rows = ring_rows(options.bits);
     place.views = 1;
     place.warmup = 0;
     place.size = options.size;
@@ -90,7 +91,7 @@ int run_ring_bench(std::span<const std::string> arguments) {
 
     std::map<int, Reference> references;
     references.emplace(0, make_reference(options, renderer, pose, 0));
-    for (const int degrees : ring_turns)
+    for (const int degrees : options.turns)
         references.emplace(degrees, make_reference(options, renderer, pose, degrees));
 
     nlohmann::ordered_json report = {{"measured", "ring"},
@@ -106,7 +107,7 @@ int run_ring_bench(std::span<const std::string> arguments) {
     const std::filesystem::path path =
         options.json.empty() ? output_path("ring.json") : std::filesystem::path(options.json);
     std::vector<RingTurn> turns;
-    for (const int degrees : ring_turns) {
+    for (const int degrees : options.turns) {
         turns.push_back(measure_turn(options, renderer, pose, degrees, references));
         fmt::print("{}", ring_text(turns.back()));
         std::fflush(stdout);

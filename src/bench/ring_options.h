@@ -4,13 +4,9 @@
 
 #include "bench/quality_options.h"
 
-#include <array>
+#include <span>
 
 namespace vigil::bench {
-
-/// Turns of the lamp, degrees, and quadtree sizes, bits: those of the paper.
-inline constexpr std::array ring_turns = {9, 36};
-inline constexpr std::array ring_bits = {32, 64, 96, 128};
 
 /// What counts as settled after a turn: the mean of so many last frames, reached at ring_factor
 /// times that.
@@ -19,6 +15,9 @@ inline constexpr double ring_factor = 1.1;
 
 struct RingOptions {
     glm::ivec2 size{240, 136};
+    // Turns of the lamp, degrees, and quadtree sizes, bits: those of the paper.
+    std::vector<int> turns = {9, 36};
+    std::vector<int> bits = {32, 64, 96, 128};
     int seeds = 6;
     int settle = 100;          // frames before the turn
     int frames = 60;           // frames after it
@@ -32,7 +31,7 @@ struct RingOptions {
 /// a value is no number or out of range.
 RingOptions parse_ring_options(std::span<const std::string> arguments);
 
-/// One row per size of quadtree and one with rays drawn by the BRDF alone, the last.
-std::vector<QualityRow> ring_rows();
+/// One row per size of quadtree, bits, and one with rays drawn by the BRDF alone, the last.
+std::vector<QualityRow> ring_rows(std::span<const int> sizes);
 
 } // namespace vigil::bench

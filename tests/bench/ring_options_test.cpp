@@ -18,8 +18,8 @@ RingOptions parse(const std::vector<std::string>& words) {
 } // namespace
 
 TEST(RingOptions, OneRowPerSizeAndTheBrdf) {
-    const std::vector<QualityRow> rows = ring_rows();
-    ASSERT_EQ(rows.size(), std::size(ring_bits) + 1);
+    const std::vector<QualityRow> rows = ring_rows(parse({}).bits);
+    ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(rows.front().label, "cdq32");
     EXPECT_EQ(rows.back().label, "brdf");
     for (const QualityRow& row : rows)
@@ -35,12 +35,18 @@ TEST(RingOptions, NumbersAreCheckedAndOptionsKnown) {
     ASSERT_EQ(options.settings.size(), 1u);
     EXPECT_EQ(options.settings[0].name, "pt_cdq_rays");
     EXPECT_TRUE(options.fresh);
+    EXPECT_EQ(options.turns, (std::vector<int>{9, 36}));
+    const RingOptions one = parse({"--turn", "20", "--bits", "128"});
+    EXPECT_EQ(one.turns, std::vector<int>{20});
+    EXPECT_EQ(one.bits, std::vector<int>{128});
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"--seeds"},
                                                {"--seeds", "0"},
                                                {"--seeds", "many"},
                                                {"--frames", "39"}, // the tail is 20
                                                {"--size", "64"},
+                                               {"--turn", "0"},
+                                               {"--bits", "100"},
                                                {"--set", "pt_nothing", "1"},
                                                {"--views", "2"}})
         EXPECT_THROW(parse(words), Error) << words[0];

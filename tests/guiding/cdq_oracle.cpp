@@ -13,9 +13,6 @@ namespace {
 
 constexpr size_t max_depth = 12; // of a leaf; directions are stored with as many bits
 
-/// Squared contributions in each leaf.
-using Sums = ByPath<double>;
-
 /// A ray sample, decoded: 12 bits of u, 12 of v, and the contribution in quarters of a power of
 /// two, 128 for 1.
 Path lowest_square(uint32_t ray) {
@@ -31,6 +28,15 @@ Path lowest_square(uint32_t ray) {
 double squared_contribution(uint32_t ray) {
     const double contribution = std::exp2((static_cast<double>(ray >> 24) - 128.0) / 4.0);
     return contribution * contribution;
+}
+
+/// What the pass takes of stored rays.
+std::vector<uint32_t> taken_rays(std::span<const uint32_t> rays, uint32_t most) {
+    const Stride stride = sample_stride(rays.size(), most);
+    std::vector<uint32_t> taken;
+    for (size_t i = 0; i < stride.processed; ++i)
+        taken.push_back(rays[i * stride.step]);
+    return taken;
 }
 
 Sums sums_of(const Squares& inner, std::span<const uint32_t> rays) {
@@ -136,7 +142,7 @@ void follow(const AdaptedQuadtree& tree, const Sums& sums, const QuadtreeLimits&
     if (error == 0.0) result.exact &= are_exact(sums);
     const Sums inner = collapsible(tree.inner, sums, limits), leaves = splittable(sums, limits);
     if (tree.migrations == limits.migrations || inner.empty() || leaves.empty()) {
-        result.allowed.insert(tree);
+        result.allowed.emplace(tree, sums);
         return;
     }
     for (const Path& leaf : extremes(leaves, 1.0, error, result.tied))
@@ -154,7 +160,7 @@ void follow(const AdaptedQuadtree& tree, const Sums& sums, const QuadtreeLimits&
                 follow(next, moved, limits, error, result);
             }
             if (own_child || gained * (1.0 - error) <= lost * (1.0 + error))
-                result.allowed.insert(tree);
+                result.allowed.emplace(tree, sums);
         }
 }
 
@@ -198,22 +204,32 @@ std::optional<Squares> squares_of(glm::uvec4 field, uint32_t bits) {
     return inner;
 }
 
-AdaptedQuadtrees adapt_quadtree(const Squares& inner, std::span<const uint32_t> rays,
+AdaptedQuadtrees adapt_quadtree(const Squares& inner, const QuadtreeLessons& lessons,
                                 const QuadtreeLimits& limits) {
-    const Stride stride = sample_stride(rays.size(), shader::CDQ_MOST_RAYS);
-    std::vector<uint32_t> processed;
-    for (size_t i = 0; i < stride.processed; ++i)
-        processed.push_back(rays[i * stride.step]);
-    const Sums sums = sums_of(inner, processed);
+    std::vector<uint32_t> taken = taken_rays(lessons.rays, shader::CDQ_MOST_RAYS);
+    size_t stored = lessons.rays.size();
+    for (const std::span<const uint32_t> more : lessons.neighbours) {
+        if (stored >= limits.memory) break;
+        stored += more.size();
+        const std::vector<uint32_t> others = taken_rays(more, shader::CDQ_MOST_NEIGHBOUR_RAYS);
+        taken.insert(taken.end(), others.begin(), others.end());
+    }
+    Sums sums = sums_of(inner, taken);
+    double kept = 0.0;
+    if (limits.memory > 0)
+        kept = std::clamp(1.0 - static_cast<double>(stored) / limits.memory, 0.0, 0.98);
+    for (const auto& [leaf, sum] : lessons.remembered)
+        sums.at(leaf) += kept * sum;
     AdaptedQuadtrees result;
     // Only division by a power of two is exact.
-    if (limits.even_density == 0.0f) {
+    if (limits.even_density == 0.0f && kept == 0.0) {
         follow({inner, 0}, sums, limits, 0.0, result);
         if (result.exact) return result;
     }
     result = {};
     result.exact = false;
-    follow({inner, 0}, sums, limits, error_of(processed.size()), result);
+    result.error = error_of(taken.size());
+    follow({inner, 0}, sums, limits, result.error, result);
     return result;
 }
 

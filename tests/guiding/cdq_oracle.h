@@ -9,6 +9,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <map>
 #include <optional>
 #include <span>
 
@@ -31,6 +32,20 @@ struct QuadtreeLimits {
     uint32_t migrations;       // at most
     float margin;              // a leaf's moment times this must exceed what is given up; 1 at most
     float even_density = 0.0f; // a leaf's moment is its sum over 4^depth and this
+    uint32_t memory = 0; // rays to follow: with fewer in a leaf its neighbours' count, too, face by
+                         // face, and with fewer in all of them what is remembered; 0: own ones
+};
+
+/// Squared contributions by leaf of a quadtree.
+using Sums = ByPath<double>;
+
+/// What a quadtree is adapted to.
+struct QuadtreeLessons {
+    /// Ray samples as they are stored; of more than CDQ_MOST_RAYS the pass takes some.
+    std::span<const uint32_t> rays;
+    /// The same of the leaf beyond each face, in their order; CDQ_MOST_NEIGHBOUR_RAYS of each.
+    std::vector<std::span<const uint32_t>> neighbours;
+    Sums remembered; // empty: nothing
 };
 
 struct AdaptedQuadtree {
@@ -41,15 +56,16 @@ struct AdaptedQuadtree {
 
 /// What may become of a quadtree.
 struct AdaptedQuadtrees {
-    std::set<AdaptedQuadtree> allowed;
+    /// By what they are, with what is remembered afterwards.
+    std::map<AdaptedQuadtree, Sums> allowed;
+    double error = 0.0; // of sums, relative
     /// Sums and all parts of them are whole multiples of one power of two, few enough for a float:
     /// the order in which floats are added does not matter, and there is one tree.
     bool exact = true;
     bool tied = false; // there were equal candidates, not 0: the lowest number decides
 };
 
-/// `rays` are ray samples as they are stored; of more than CDQ_MOST_RAYS the pass takes some.
-AdaptedQuadtrees adapt_quadtree(const Squares& inner, std::span<const uint32_t> rays,
+AdaptedQuadtrees adapt_quadtree(const Squares& inner, const QuadtreeLessons& lessons,
                                 const QuadtreeLimits& limits);
 
 } // namespace vigil::test

@@ -24,7 +24,7 @@ protected:
         if (HasFatalFailure()) return;
         for (const auto& [path, leaf] : before) {
             const AdaptedQuadtrees& adapted = quadtrees_.at(path);
-            if (leaf.count == 0 || leaf.kept_rays() == 0) {
+            if (!leaf.adapts()) {
                 ++unlit_;
                 continue;
             }
@@ -34,7 +34,7 @@ protected:
             exact_ += adapted.exact ? 1u : 0u;
             tied_ += adapted.exact && adapted.tied ? 1u : 0u;
             ambiguous_ += adapted.allowed.size() > 1 ? 1u : 0u;
-            const AdaptedQuadtree& first = *adapted.allowed.begin();
+            const AdaptedQuadtree& first = adapted.allowed.begin()->first;
             moved_ += first.migrations > 0 ? 1u : 0u;
             stayed_ += first.migrations < settings_.migrations ? 1u : 0u;
             deepest_ = std::max(deepest_, nodes_of(first.inner).back().size());
@@ -114,6 +114,44 @@ TEST_P(DirectionsOfSize, AsManyMigrationsAsThereCanBe) {
     random_rays_frame(dice, 20, {Brought::Anything, 60, 4 * bits}, bits);
     if (HasFatalFailure()) return;
     EXPECT_GT(statistics_.cdq_migrations, 200u);
+}
+
+TEST_P(DirectionsOfSize, WithNeighboursAndMemory) {
+    const uint32_t bits = GetParam();
+    // Enough rays in the leaf; with some of its neighbours; in no leaf.
+    for (const uint32_t memory : {20u, 150u, 2000u})
+        for (const uint32_t migrations : {1u, 4u}) {
+            SCOPED_TRACE(testing::Message() << memory << " rays, " << migrations << " migrations");
+            shader::GuidingSettings settings = settings_for(migrations, 0.25f);
+            settings.even_density = shader::cdq_even_density(bits, 0.5f);
+            settings.memory_rays = memory;
+            start(settings, 64, bits);
+            Dice dice(bits + memory + migrations);
+            random_rays_frame(dice, 20, {Brought::Anything, 60, 2 * bits, true}, bits);
+            if (HasFatalFailure()) return;
+        }
+    EXPECT_GT(moved_, 100u);
+    EXPECT_LT(ambiguous_, moved_ / 20);
+}
+
+TEST_P(DirectionsOfSize, RememberFromFrameToFrame) {
+    const uint32_t bits = GetParam();
+    shader::GuidingSettings settings = settings_for(1, 0.25f);
+    settings.memory_rays = 500;
+    start(settings, 64, bits);
+    Dice dice(bits + 9);
+    for (int i = 0; i < 8; ++i) {
+        for (auto& [path, leaf] : state_.leaves) {
+            leaf.count = 30; // between the thresholds: the octree rests
+            leaf.rays = std::min(leaf.room, 20u);
+            for (uint32_t ray = 0; ray < leaf.rays; ++ray)
+                state_.rays[leaf.first_sample + ray] = shader::ray_sample_pack(
+                    random_cell(dice, {0.3f, 0.6f}), dice.between(0.5f, 2.0f));
+        }
+        rays_frame();
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(moved_, 8u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, DirectionsOfSize, testing::Values(32u, 64u, 96u, 128u));

@@ -34,7 +34,9 @@ std::vector<uint32_t> download(const gpu::Buffer& buffer, size_t words) {
 }
 
 TreeWords download(const vkpt::Guiding::Tree& tree, uint32_t node_capacity) {
-    TreeWords words = TreeWords::sized(node_capacity);
+    const bool sums =
+        tree.leaves.bytes() > uint64_t{8} * shader::LEAF_WORDS * node_capacity * sizeof(uint32_t);
+    TreeWords words = TreeWords::sized(node_capacity, sums);
     words.nodes = download(tree.nodes, words.nodes.size());
     words.cells = download(tree.cells, words.cells.size());
     words.leaves = download(tree.leaves, words.leaves.size());
@@ -102,7 +104,7 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     state_ = state_after(root, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
                          std::vector<uint32_t>(guiding().header().vlc_capacity));
     if (cdq_bits_ > 0) {
-        take_quadtrees(state_, seen, cdq_bits_,
+        take_quadtrees(state_, seen, cdq_bits_, remember(),
                        std::vector<uint32_t>(guiding().header().sample_capacity));
         for (const auto& [path, leaf] : state_.leaves)
             EXPECT_EQ(field_of(leaf.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
@@ -167,11 +169,23 @@ void GuidingTest::ask_oracle() {
     if (cdq_bits_ == 0) return;
     quadtrees_.clear();
     for (const auto& [path, leaf] : state_.leaves) {
-        // Leaves that no surface fell into are not looked at.
-        const uint32_t rays = leaf.count > 0 ? leaf.kept_rays() : 0;
-        quadtrees_[path] =
-            adapt_quadtree(leaf.quadtree, std::span(state_.rays).subspan(leaf.first_sample, rays),
-                           {settings_.migrations, settings_.margin, settings_.even_density});
+        const auto stored = [&](const LeafState& owner) {
+            return std::span<const uint32_t>(state_.rays)
+                .subspan(owner.first_sample, owner.kept_rays());
+        };
+        QuadtreeLessons lessons;
+        QuadtreeLimits limits{settings_.migrations, settings_.margin, settings_.even_density};
+        if (leaf.adapts()) {
+            lessons.rays = stored(leaf);
+            limits.memory = settings_.memory_rays;
+            for (int face = 0; face < 6; ++face)
+                if (const auto neighbour = neighbour_of(state_.inner, path, face))
+                    lessons.neighbours.push_back(stored(state_.leaves.at(*neighbour)));
+            if (remember()) lessons.remembered = leaf.remembered;
+        } else {
+            limits.migrations = 0;
+        }
+        quadtrees_[path] = adapt_quadtree(leaf.quadtree, lessons, limits);
     }
 }
 
@@ -186,17 +200,17 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
          {compare_tree(tree_, state_.inner, seen),
           compare_storage(tree_.inner, seen, header.sample_capacity),
           compare_caches(caches_, seen_old, state_.inner, lights, settings_.bucket),
-          compare_handed_on(tree_, caches_, seen, state_.inner, seen_old),
+          compare_handed_on(tree_, caches_, seen, state_.inner, seen_old, remember()),
           compare_statistics(state_, tree_, caches_, statistics_)})
         ASSERT_TRUE(found.empty()) << found.text();
     if (cdq_bits_ > 0) {
         const Disagreements found =
-            compare_quadtrees(state_, quadtrees_, cdq_bits_, seen_old, statistics_);
+            compare_quadtrees(state_, quadtrees_, cdq_bits_, remember(), seen_old, statistics_);
         ASSERT_TRUE(found.empty()) << found.text();
     }
     std::vector<uint32_t> rays = std::move(state_.rays);
     state_ = state_after(tree_, caches_, seen, std::move(state_.samples), lights);
-    if (cdq_bits_ > 0) take_quadtrees(state_, seen, cdq_bits_, std::move(rays));
+    if (cdq_bits_ > 0) take_quadtrees(state_, seen, cdq_bits_, remember(), std::move(rays));
 }
 
 void GuidingTest::frame() {

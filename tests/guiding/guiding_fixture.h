@@ -52,6 +52,8 @@ protected:
     shader::GuidingSettings settings_{};
 
 private:
+    /// Whether quadtrees keep sums from frame to frame.
+    bool remember() const { return cdq_bits_ > 0 && settings_.memory_rays > 0; }
     /// What the oracle makes of state_: tree_ and caches_.
     void ask_oracle();
     void run_passes();

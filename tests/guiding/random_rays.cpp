@@ -6,6 +6,7 @@
 #include "shared/octahedral.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace vigil::test {
@@ -61,6 +62,19 @@ float random_contribution(Dice& dice, Brought brought, uint32_t rays) {
     return std::exp2(dice.between(-20.0f, 20.0f));
 }
 
+/// Sums of the upper halves of floats; nothing in half of all leaves.
+Sums random_sums(Dice& dice, const Squares& inner) {
+    Sums sums;
+    const bool none = dice.chance(0.5);
+    for (const Path& square : nodes_of(inner)) {
+        if (inner.contains(square)) continue;
+        const float sum = dice.chance(0.3) ? 0.0f : std::exp2(dice.between(-40.0f, 40.0f));
+        const uint32_t half = std::bit_cast<uint32_t>(sum) & 0xffff0000u;
+        sums[square] = none ? 0.0 : static_cast<double>(std::bit_cast<float>(half));
+    }
+    return sums;
+}
+
 } // namespace
 
 glm::uvec2 random_cell(Dice& dice, glm::vec2 target) {
@@ -101,6 +115,7 @@ void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeStat
         for (uint32_t i = 0; i < leaf.kept_rays(); ++i)
             state.rays[leaf.first_sample + i] = shader::ray_sample_pack(
                 random_cell(dice, target), random_contribution(dice, rays.brought, leaf.rays));
+        if (rays.remembered) leaf.remembered = random_sums(dice, leaf.quadtree);
     }
 }
 

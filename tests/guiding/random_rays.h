@@ -19,6 +19,7 @@ struct RandomRays {
     Brought brought = Brought::Anything;
     uint32_t most = 60;      // rays of a leaf
     uint32_t migrations = 0; // of quadtrees before, at most: from the even tree to any tree
+    bool remembered = false; // half of the leaves remember earlier rays
 };
 
 /// A direction's cell on the grid of the smallest squares, 0 .. 4095 each. `target` is a point of

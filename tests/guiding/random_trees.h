@@ -27,8 +27,11 @@ struct LeafState {
     bool inherited = false; // the cache is a larger leaf's
     uint32_t rays = 0;      // ray samples that fell into it; they share the room
     Squares quadtree;       // empty where none are kept
+    Sums remembered;        // of its leaves; empty where nothing is
     uint32_t kept() const { return std::min(count, room); }
     uint32_t kept_rays() const { return std::min(rays, room); }
+    /// Its quadtree adapts: some surface fell into it, and it has rays.
+    bool adapts() const { return count > 0 && kept_rays() > 0; }
 };
 
 /// A tree after a frame was rendered with it.

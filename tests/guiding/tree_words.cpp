@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <bit>
+
 namespace vigil::test {
 namespace {
 
@@ -51,6 +53,37 @@ glm::uvec4 quadtree_at(const TreeWords& words, uint32_t leaf) {
     return field;
 }
 
+/// Half a word of a leaf's sums.
+uint32_t sum_half(uint32_t node) {
+    return 16 * (node % 2);
+}
+
+/// What the leaves of a quadtree remember, as stored.
+Sums sums_at(const TreeWords& words, uint32_t leaf, const Squares& inner) {
+    Sums sums;
+    uint32_t node = 0;
+    for (const Path& square : nodes_of(inner)) {
+        const uint32_t word = words.at(LEAF_SUMS, CDQ_SUM_WORDS, leaf, node / 2);
+        if (!inner.contains(square))
+            sums[square] = static_cast<double>(std::bit_cast<float>(word >> sum_half(node) << 16));
+        ++node;
+    }
+    return sums;
+}
+
+/// Stores sums that upper halves of floats hold; inner nodes keep what is there.
+void store_sums(const LeafState& leaf, uint32_t number, TreeWords& words) {
+    uint32_t node = 0;
+    for (const Path& square : nodes_of(leaf.quadtree)) {
+        if (const auto sum = leaf.remembered.find(square); sum != leaf.remembered.end()) {
+            uint32_t& word = words.at(LEAF_SUMS, CDQ_SUM_WORDS, number, node / 2);
+            const auto bits = std::bit_cast<uint32_t>(static_cast<float>(sum->second));
+            word = (word & ~(0xffffu << sum_half(node))) | bits >> 16 << sum_half(node);
+        }
+        ++node;
+    }
+}
+
 struct Range {
     uint64_t first, end;
     Path leaf;
@@ -73,16 +106,21 @@ void check_ranges(std::vector<Range> ranges, uint64_t capacity, const char* what
 
 } // namespace
 
-TreeWords TreeWords::sized(uint32_t node_capacity) {
+TreeWords TreeWords::sized(uint32_t node_capacity, bool sums) {
+    const uint32_t leaf_words = LEAF_WORDS + (sums ? CDQ_SUM_WORDS : 0);
     return {std::vector<uint32_t>(1 + node_capacity), std::vector<uint32_t>(2 * node_capacity),
-            std::vector<uint32_t>(8 * LEAF_WORDS * node_capacity)};
+            std::vector<uint32_t>(8 * leaf_words * node_capacity)};
+}
+
+uint32_t TreeWords::node_capacity() const {
+    return static_cast<uint32_t>(cells.size() / 2);
 }
 
 uint32_t& TreeWords::at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i) {
-    return leaves.at(array * (leaves.size() / LEAF_WORDS) + width * leaf + i);
+    return leaves.at(leaf_array_word(array, width, leaf, node_capacity()) + i);
 }
 uint32_t TreeWords::at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i) const {
-    return leaves.at(array * (leaves.size() / LEAF_WORDS) + width * leaf + i);
+    return leaves.at(leaf_array_word(array, width, leaf, node_capacity()) + i);
 }
 
 Numbering::Numbering(const InnerNodes& inner) {
@@ -97,7 +135,7 @@ uint32_t Numbering::leaf(const Path& leaf) const {
 }
 
 TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) {
-    TreeWords words = TreeWords::sized(node_capacity);
+    TreeWords words = TreeWords::sized(node_capacity, !state.rays.empty());
     for (std::vector<uint32_t>* buffer : {&words.nodes, &words.cells, &words.leaves})
         for (uint32_t& word : *buffer)
             word = garbage.word();
@@ -130,6 +168,7 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
             const glm::uvec4 field = field_of(leaf.quadtree);
             for (uint32_t word = 0; word < 4; ++word)
                 words.at(LEAF_CDQ, 4, number, word) = field[static_cast<int>(word)];
+            if (!leaf.remembered.empty()) store_sums(leaf, number, words);
         }
         for (int face = 0; face < 6; ++face)
             words.at(LEAF_NEIGHBOURS, 6, number, face) =
@@ -256,7 +295,7 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
 
 Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
                                 const TreeWords& seen, const InnerNodes& old,
-                                const TreeWords& seen_old) {
+                                const TreeWords& seen_old, bool remember) {
     Disagreements found;
     const Numbering numbers(expected.inner);
     const Numbering old_numbers(old);
@@ -275,6 +314,11 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
                                       name(leaf, numbers), word,
                                       seen_old.at(LEAF_CDQ, 4, from, word),
                                       name(source, old_numbers), seen.at(LEAF_CDQ, 4, to, word)));
+        for (uint32_t word = 0; remember && word < CDQ_SUM_WORDS; ++word)
+            if (seen.at(LEAF_SUMS, CDQ_SUM_WORDS, to, word) !=
+                seen_old.at(LEAF_SUMS, CDQ_SUM_WORDS, from, word))
+                found.add(fmt::format("{}: sums, word {}: not those of old {}", name(leaf, numbers),
+                                      word, name(source, old_numbers)));
         const uint32_t cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size()) +
                                 (leaf.size() > source.size() ? LEAF_INHERITED : 0);
         if (seen.at(LEAF_CACHED, 1, to) != cached)
@@ -285,7 +329,8 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
 }
 
 Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expected, uint32_t bits,
-                                const TreeWords& seen_old, const GuidingWork& statistics) {
+                                bool remember, const TreeWords& seen_old,
+                                const GuidingWork& statistics) {
     Disagreements found;
     const Numbering numbers(old.inner);
     uint32_t fewest = 0, most = 0;
@@ -298,8 +343,17 @@ Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expec
         const AdaptedQuadtrees& adapted = expected.at(path);
         bool match = false;
         uint32_t least = UINT32_MAX, largest = 0;
-        for (const AdaptedQuadtree& tree : adapted.allowed) {
-            match |= field_of(tree.inner) == field;
+        for (const auto& [tree, sums] : adapted.allowed) {
+            if (field_of(tree.inner) == field) {
+                match = true;
+                // Where rounding decides, different ways may lead to the same tree.
+                if (remember && adapted.allowed.size() == 1)
+                    for (const auto& [square, sum] : sums_at(seen_old, number, tree.inner))
+                        if (const double want = (leaf.adapts() ? sums : leaf.remembered).at(square);
+                            std::abs(sum - want) > (adapted.error + 0.005) * want + 1e-37)
+                            found.add(fmt::format("{}: sum in square {}: expected {}, seen {}",
+                                                  name(path, numbers), square, want, sum));
+            }
             least = std::min(least, tree.migrations);
             largest = std::max(largest, tree.migrations);
         }
@@ -307,7 +361,7 @@ Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expec
             found.add(
                 fmt::format("{}: quadtree {} with {} rays, {} stored: expected {}{}, seen {}{}",
                             name(path, numbers), text(field_of(leaf.quadtree)), leaf.rays,
-                            leaf.kept_rays(), text(field_of(adapted.allowed.begin()->inner)),
+                            leaf.kept_rays(), text(field_of(adapted.allowed.begin()->first.inner)),
                             adapted.allowed.size() > 1
                                 ? fmt::format(" or one of {}", adapted.allowed.size() - 1)
                                 : "",
@@ -383,12 +437,15 @@ TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const Tre
     return state;
 }
 
-void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits,
+void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits, bool remember,
                     std::vector<uint32_t> rays) {
     state.rays = std::move(rays);
     const Numbering numbers(state.inner);
-    for (auto& [path, leaf] : state.leaves)
-        leaf.quadtree = squares_of(quadtree_at(seen, numbers.leaf(path)), bits).value();
+    for (auto& [path, leaf] : state.leaves) {
+        const uint32_t number = numbers.leaf(path);
+        leaf.quadtree = squares_of(quadtree_at(seen, number), bits).value();
+        if (remember) leaf.remembered = sums_at(seen, number, leaf.quadtree);
+    }
 }
 
 } // namespace vigil::test

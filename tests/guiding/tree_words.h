@@ -17,10 +17,14 @@ struct TreeWords {
     std::vector<uint32_t> cells;
     std::vector<uint32_t> leaves;
 
-    static TreeWords sized(uint32_t node_capacity);
+    /// `sums`: with those that quadtrees remember.
+    static TreeWords sized(uint32_t node_capacity, bool sums);
     /// Word `i` of the `width` words that `array` (LEAF_...) has for a leaf.
     uint32_t& at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i = 0);
     uint32_t at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i = 0) const;
+
+private:
+    uint32_t node_capacity() const;
 };
 
 /// Numbers of inner nodes and leaves, breadth-first.
@@ -62,17 +66,19 @@ Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
 Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
                              const InnerNodes& old, std::span<const uint32_t> lights,
                              uint32_t bucket);
+/// Also quadtrees, and what they remember if they do.
 Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
                                 const TreeWords& seen, const InnerNodes& old,
-                                const TreeWords& seen_old);
+                                const TreeWords& seen_old, bool remember);
 
 /// What may become of each leaf's quadtree.
 using AdaptedByLeaf = ByPath<AdaptedQuadtrees>;
 
 /// Quadtrees of `bits` bits after the passes, in the leaves of the tree `old` that they started
-/// from, and how many migrations were counted.
+/// from, what they remember if they do, and how many migrations were counted.
 Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expected, uint32_t bits,
-                                const TreeWords& seen_old, const shader::GuidingWork& statistics);
+                                bool remember, const TreeWords& seen_old,
+                                const shader::GuidingWork& statistics);
 
 Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree,
                                  const Caches& caches, const shader::GuidingWork& seen);
@@ -81,9 +87,9 @@ Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree
 /// before, `lights` is the buffer of all caches.
 TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
                       std::vector<uint32_t> samples, std::vector<uint32_t> lights);
-/// The same for the quadtrees of its leaves, of `bits` bits each; `rays` is the buffer of ray
-/// samples.
-void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits,
+/// The same for the quadtrees of its leaves, of `bits` bits each, and what they remember if they
+/// do; `rays` is the buffer of ray samples.
+void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits, bool remember,
                     std::vector<uint32_t> rays);
 
 } // namespace vigil::test
