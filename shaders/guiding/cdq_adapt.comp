@@ -78,11 +78,12 @@ void search(uvec4 tree, out uint leaf, out uint inner) {
     float least = 3e38;
     uint own_leaf = NONE;
     uint own_inner = NONE;
+    const uvec4 starts = cdq_level_starts(tree, CDQ_BITS);
     for (uint node = lane; node < CDQ_BITS; node += LANES) {
         const uint child = first_child[node];
         if (child == 0u) {
             if (!(sum_of(node) > 0.0)) continue;
-            const uint depth = cdq_cell(tree, node).depth;
+            const uint depth = cdq_depth(starts, node);
             const float moment = moment_of(node, depth);
             if (moment > most && depth < CDQ_MAX_DEPTH) {
                 most = moment;
@@ -90,7 +91,7 @@ void search(uvec4 tree, out uint leaf, out uint inner) {
             }
         } else if ((first_child[child] | first_child[child + 1u] | first_child[child + 2u] | first_child[child + 3u]) == 0u) {
             float moment = 0.0;
-            const uint depth = cdq_cell(tree, child).depth;
+            const uint depth = cdq_depth(starts, child);
             for (uint i = 0u; i < 4u; ++i) moment += moment_of(child + i, depth);
             if (moment < least) {
                 least = moment;

@@ -100,11 +100,11 @@
     CHOICE(pt_cdq_bits, Session, "128", "32|64|96|128", \
         "cdq: size of a quadtree; 25, 49, 73 or 97 leaves") \
     GPU_REAL(pt_cdq_brdf, Session, 0.5, 0.05, 1.0, "cdq: share of rays drawn by the BRDF") \
-    REAL(pt_cdq_margin, Session, 0.1, 0.0, 1.0, \
+    REAL(pt_cdq_margin, Session, 0.25, 0.0, 1.0, \
         "cdq: a quadtree is refined where this share of a leaf's contribution exceeds what is given up") \
-    INTEGER(pt_cdq_rays, Session, 1024, 0, 1000000, \
-        "cdq: a quadtree follows about so many of its last rays; 0: those of one frame, as the paper") \
-    INTEGER(pt_cdq_migrations, Session, 1, 0, 16, "cdq: refinements of a quadtree per frame, at most") \
+    INTEGER(pt_cdq_rays, Session, 512, 0, 1000000, \
+        "cdq: a quadtree follows about so many rays, near and recent ones; 0: its own of one frame, as the paper") \
+    INTEGER(pt_cdq_migrations, Session, 4, 0, 16, "cdq: refinements of a quadtree per frame, at most") \
     GPU_REAL(pt_sky_scale, Session, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \
     GPU_REAL(pt_sun_size, Session, 1.0, 0.01, 90.0, "angular diameter of the sun in degrees") \

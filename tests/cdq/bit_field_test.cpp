@@ -128,9 +128,11 @@ TEST(CdqBits, EveryTreeOf32BitsIsNavigatedRightly) {
         const uvec4 field(word, 0, 0, 0);
         std::array<uint, 32> depth{};
         depth.fill(1);
+        const uvec4 starts = cdq_level_starts(field, 32);
         uint next = 4, leaf = 0;
         double area = 0.0;
         for (uint node = 0; node < 32; ++node) {
+            ASSERT_EQ(cdq_depth(starts, node), depth[node]) << word;
             if ((word >> node & 1u) == 0u) {
                 ASSERT_EQ(cdq_leaf(field, 32, leaf++), node) << word;
                 const CdqCell cell = cdq_cell(field, node);
