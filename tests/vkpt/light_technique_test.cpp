@@ -8,6 +8,7 @@
 // found.
 #include "light/statistics.h"
 #include "light_scenes.h"
+#include "technique_settings.h"
 #include "test_pass.h"
 
 #include <algorithm>
@@ -27,56 +28,6 @@ constexpr int block = 4;
 /// Relative error that is planted into probabilities: half of the lights get it, half lose it, two
 /// and two (of neighbours, one may be black).
 constexpr double planted = 0.03;
-
-/// How many draws may find no light, per draw.
-struct Blanks {
-    /// Lights per walk: a list is walked in equal parts, any of which may hold only lights that
-    /// cannot shine. 0: nothing is known, and only the draws themselves tell.
-    uint32_t walk = 0;
-    uint32_t parts = 1; // or their number, if that is bounded
-    double share = 1.0; // of the draws that do so; the others always find a light
-};
-constexpr uint32_t all_lights = 0xffffffffu; // one walk: no draw is blank where a light can shine
-
-struct Settings {
-    std::string_view technique, label;
-    std::vector<std::pair<std::string_view, std::string_view>> variables;
-    Blanks blanks;
-};
-
-/// Settings beyond the defaults, and what is known about blank draws. A technique that is not here
-/// is tested with its defaults.
-const Settings known_settings[] = {
-    {"sll", "Default", {}, {32, 1, 1.0}},
-    {"sll", "FourAtMost", {{"pt_sll_max", "4"}}, {4, 1, 1.0}},
-    {"sll",
-     "AsShipped",
-     {{"pt_sll_max", "8"},
-      {"pt_sll_mass", "solid_angle"},
-      {"pt_sll_stats", "1"},
-      {"pt_light_points", "1"},
-      {"pt_light_density", "solid_angle"}},
-     {8, 1, 1.0}},
-    // A walk through a cluster's list throws away what the cache has.
-    {"vlc", "Default", {}, {}},
-    {"vlc", "FourAtMost", {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0.5"}}, {}},
-    {"vlc",
-     "FourAtMostWithoutLists",
-     {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0"}, {"pt_vlc_explore", "0.5"}},
-     {1, 16, 0.5}},
-    {"uniform", "Default", {}, {all_lights, 1, 1.0}},
-    {"power", "Default", {}, {all_lights, 1, 1.0}},
-    {"ris", "Default", {}, {}},
-    {"ris", "ThreeCandidates", {{"pt_ris_candidates", "3"}}, {}},
-};
-
-std::vector<Settings> all_settings() {
-    std::vector<Settings> all(std::begin(known_settings), std::end(known_settings));
-    for (const TechniqueInfo& info : technique_infos)
-        if (std::ranges::find(all, info.name, &Settings::technique) == all.end())
-            all.push_back({info.name, "Default", {}, {}});
-    return all;
-}
 
 struct Answer {
     float probability;
@@ -165,13 +116,12 @@ double pooled_score(const Answers& answers, double error) {
     return bins.score().value_or(0.0);
 }
 
-class LightTechniqueTest : public RenderTest, public testing::WithParamInterface<Settings> {
+class LightTechniqueTest : public RenderTest,
+                           public testing::WithParamInterface<TechniqueSettings> {
 protected:
     void SetUp() override {
         RenderTest::SetUp();
-        set("pt_nee", GetParam().technique);
-        for (const auto& [name, value] : GetParam().variables)
-            set(name, value);
+        GetParam().set();
     }
 
     /// Loads the scene and lets the technique learn it.
@@ -378,8 +328,8 @@ TEST_P(LightTechniqueTest, KeepsItsPromises) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTechniques, LightTechniqueTest, testing::ValuesIn(all_settings()),
-                         [](const testing::TestParamInfo<Settings>& given) {
+INSTANTIATE_TEST_SUITE_P(AllTechniques, LightTechniqueTest, testing::ValuesIn(technique_settings()),
+                         [](const testing::TestParamInfo<TechniqueSettings>& given) {
                              return fmt::format("{}_{}", given.param.technique, given.param.label);
                          });
 
