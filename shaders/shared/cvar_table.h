@@ -78,7 +78,7 @@
         "sll: a light's weight: what it adds to the surface unless it is hidden, or solid angle times luminance") \
     GPU_INTEGER(pt_sll_stats, Session, 0, 0, 1, \
         "sll: 1: weights also follow how many of the last frames' shadow rays reached the light, by cluster and direction") \
-    GPU_INTEGER(pt_ris_candidates, Session, 16, 1, 1024, \
+    GPU_INTEGER(pt_ris_candidates, Session, 32, 1, 1024, \
         "ris: lights of the level weighted per hit, of which one is kept") \
     INTEGER(pt_oct_split, Session, 4096, 1, 1000000000, \
         "octree: a leaf with more surface samples than this is split (at 1920 x 1080)") \

@@ -26,7 +26,7 @@ struct Shot {
     std::vector<refresh::Entity> entities;
     std::vector<refresh::DynamicLight> dynamic_lights;
     double time_s = 0.0;
-    std::vector<int> dark_styles; // light styles that are off; all others shine
+    std::vector<int> dark_styles{}; // light styles that are off; all others shine
     refresh::Frame frame() const;
 };
 
