@@ -3,5 +3,5 @@
 // has the same mean: the reference that the statistical tests hold the others against.
 #define LIGHTS_FOUND_BY_RAYS 1
 
-LightChoice choose_light(Surface surface, inout Random random) { return light_choice(NONE, 0.0); }
+LightChoice choose_light(Surface surface, inout Random random) { return no_light(); }
 float light_probability(Surface surface, uint light) { return 0.0; }

@@ -16,4 +16,15 @@ float light_importance(LtcSurface surface, uint light) {
     return ltc_importance(surface, lights[light], HAS_GLOSS);
 }
 
+/// Solid angle times luminance of a light that can shine on a surface at this place, 0 for others: knows neither what the surface
+/// reflects nor, but for all or nothing, how slanted light falls on it.
+float solid_angle_importance(vec3 position, vec3 normal, uint light) {
+    const Light seen = lights[light];
+    const float brightness = luminance(seen.radiance);
+    if (!(brightness > 0.0)) return 0.0;
+    // A corner above the surface's horizon.
+    const float height = dot(normal, seen.v0 - position) + max(max(dot(normal, seen.e1), dot(normal, seen.e2)), 0.0);
+    return height > 0.0 ? brightness * light_solid_angle(seen, position) : 0.0;
+}
+
 #endif

@@ -20,6 +20,7 @@ layout(set = SET_TECHNIQUE, binding = 5, scalar) restrict readonly buffer ListCo
 
 /// The two ranges of one list, walked as if they were one.
 struct LightList {
+    uint number; // of the list: its cluster, or that after the last one
     uint static_first;
     uint static_count;
     uint moving_first;
@@ -29,7 +30,7 @@ struct LightList {
 LightList find_light_list(Surface surface) {
     const uint cluster = min(surface_cluster(surface), list_count - 1u); // NONE: the list of all lights
     const uvec2 range = static_ranges[cluster];
-    LightList list = LightList(range.x, range.y, 0u, range.y);
+    LightList list = LightList(cluster, range.x, range.y, 0u, range.y);
     if (list_moving != 0u) {
         const uvec2 moving = moving_ranges[cluster];
         list.moving_first = moving.x;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One candidate chosen in proportion to its importance while walking past many (a weighted reservoir of one): each replaces the choice
 // with probability importance / sum so far, and the random number is stretched again after each use.
+// Candidates that were drawn themselves come with their importance over the probability of that.
 #ifndef VIGIL_LIGHT_RESERVOIR_GLSL
 #define VIGIL_LIGHT_RESERVOIR_GLSL
 

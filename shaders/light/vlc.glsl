@@ -14,6 +14,7 @@
 #include "light/reservoir.glsl"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
+#define STORES_LIGHT_SAMPLES 1
 
 uint bucket_size() { return uint(frame.cvars.pt_vlc_bucket); }
 
@@ -169,7 +170,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     }
     const CandidateWalk walk = walk_candidates(search.prepared, search.list, candidates, tabled, u.z);
 
-    LightChoice choice = light_choice(tabled, 0.0);
+    LightChoice choice = weighted_choice(tabled, 0.0);
     choice.explored = !from_cache;
     choice.memory = found.samples;
     float importance = walk.sought_importance;
@@ -180,14 +181,15 @@ LightChoice choose_light(Surface surface, inout Random random) {
         if (from_list && choice.light != NONE && is_cached(search.cache, choice.light)) choice.light = NONE;
     }
     if (choice.light == NONE) return choice;
-    choice.probability = mixture_probability(search, cached, choice.light, importance, walk.reservoir.sum);
+    const float probability = mixture_probability(search, cached, choice.light, importance, walk.reservoir.sum);
     // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it.
-    if (!(choice.probability > 0.0)) choice.light = NONE;
+    if (probability > 0.0) choice.weight = 1.0 / probability;
+    else choice.light = NONE;
     return choice;
 }
 
-void learn_light(LightChoice choice, bool seen) {
-    store_light_sample(choice.memory, choice.light == NONE ? LIGHT_SAMPLE_NONE : choice.light, seen);
+void learn_light(LightChoice choice, uint outcome) {
+    store_light_sample(choice.memory, choice.light == NONE ? LIGHT_SAMPLE_NONE : choice.light, outcome == LIGHT_SEEN);
 }
 
 float light_probability(Surface surface, uint light) {

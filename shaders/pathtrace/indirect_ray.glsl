@@ -9,10 +9,6 @@
 #include "guiding/octree.glsl"
 #include "shared/cdq.h"
 
-#ifndef LIGHTS_FOUND_BY_RAYS
-#define LIGHTS_FOUND_BY_RAYS 0
-#endif
-
 // Later hits see textures through a wide cone: their detail is averaged by the integral anyway.
 const float INDIRECT_SPREAD = 0.1;
 
@@ -52,7 +48,7 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
     guided.leaf = found.samples;
     guided.grid = uvec2(uv * float(1u << CDQ_MAX_DEPTH));
     guided.pdf = seen.pdf;
-    if (LEARNS_FROM_LIGHT_SAMPLES == 0 && path_index == 0u) count_surface(found.samples);
+    if (STORES_LIGHT_SAMPLES == 0 && path_index == 0u) count_surface(found.samples);
     return direction;
 }
 

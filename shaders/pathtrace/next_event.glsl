@@ -24,10 +24,11 @@ struct PointChoice {
 /// mean, on the colour of the one kept (resampled importance sampling, Talbot et al. 2005; as the points have the light's density each, it is unbiased
 /// for any number of them). With a good choice of lights the choice of the point makes most of the noise, and is the cheaper of the two.
 PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
-    const SphericalTriangle near = near_light(light, surface.origin);
+    const int density = frame.cvars.pt_light_density;
+    const SphericalTriangle near = near_light(light, surface.origin, density);
     float share = 0.0;
-    if (HAS_GLOSS && surface.brdf.f0 > 0.0)
-        share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light, near);
+    if (HAS_GLOSS && surface.brdf.f0 > 0.0 && density == LIGHT_DENSITY_AUTO)
+        share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light);
     PointChoice choice = PointChoice(vec3(0.0), vec3(0.0));
     const int points = frame.cvars.pt_light_points;
     Reservoir reservoir = new_reservoir(v);
@@ -47,12 +48,13 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
 }
 
 /// Radiance of a chosen light towards the surface's viewer by way of a point of it that `u` draws, divided by all
-/// probabilities; 0 where something is in between.
-vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed) {
+/// probabilities; 0 where something is in between. `outcome` is one of LIGHT_*.
+vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, out uint outcome) {
+    outcome = LIGHT_UNTRIED;
     if (choice.light == NONE) return vec3(0.0);
     const Light light = lights[choice.light];
     const PointChoice seen = choose_point(surface, light, u.xy, u.z);
-    const vec3 value = seen.value * light.radiance / choice.probability;
+    const vec3 value = seen.value * light.radiance * choice.weight;
     if (!(max(value.x, max(value.y, value.z)) > 0.0)) return vec3(0.0);
 
     // From just above the surface to just above the light.
@@ -63,17 +65,18 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed) {
     ray.direction = to_light / max(distance, 1e-20);
     ray.t_min = 0.0;
     ray.t_max = distance;
-    if (trace_occluded(ray, seed)) return vec3(0.0);
-    return value;
+    outcome = trace_occluded(ray, seed) ? LIGHT_SHADOWED : LIGHT_SEEN;
+    return outcome == LIGHT_SEEN ? value : vec3(0.0);
 }
 
 DirectLight next_event_estimate(Surface surface, inout Random random) {
     const LightChoice choice = choose_light(surface, random);
     const vec3 u = random_next3(random);
     const uint seed = random_next_words(random).x;
-    const vec3 value = sampled_radiance(surface, choice, u, seed);
+    uint outcome;
+    const vec3 value = sampled_radiance(surface, choice, u, seed, outcome);
     // One path per pixel teaches: what is stored is bounded by the resolution.
-    if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, value != vec3(0.0));
+    if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
     return DirectLight(value, choice.explored);
 }
 

@@ -70,8 +70,16 @@
         "number of indirect hits at which lights are sampled") \
     GPU_INTEGER(pt_light_points, Session, 8, 1, 64, \
         "points weighted on a chosen light, of which one gets the shadow ray; 1: as the paper") \
+    GPU_CHOICE(pt_light_density, Session, "auto", "auto|area|solid_angle", \
+        "how points are spread over a light; auto: by area, near lights by solid angle, and along the lobe of glossy surfaces") \
     GPU_INTEGER(pt_sll_max, Session, 32, 1, 1024, \
         "sll: most lights weighted per hit; longer lists are walked with a stride") \
+    GPU_CHOICE(pt_sll_mass, Session, "ltc", "ltc|solid_angle", \
+        "sll: a light's weight: what it adds to the surface unless it is hidden, or solid angle times luminance") \
+    GPU_INTEGER(pt_sll_stats, Session, 0, 0, 1, \
+        "sll: 1: weights also follow how many of the last frames' shadow rays reached the light, by cluster and direction") \
+    GPU_INTEGER(pt_ris_candidates, Session, 32, 1, 1024, \
+        "ris: lights of the level weighted per hit, of which one is kept") \
     INTEGER(pt_oct_split, Session, 4096, 1, 1000000000, \
         "octree: a leaf with more surface samples than this is split (at 1920 x 1080)") \
     INTEGER(pt_oct_collapse, Session, 2048, 0, 1000000000, \

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A point on a chosen light, for a glossy surface: drawn on the light, or along the surface's GGX
-// lobe if that meets the light. A lamp beside a polished wall is larger than the highlight it makes:
-// points drawn on the lamp alone rarely hit the highlight, and are fireflies when they do (Veach and
-// Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995: the one-sample
-// model and its balance heuristic). The paper draws on the light always. Nothing is traced here.
+// lobe if that meets the light. A lamp beside a polished wall is larger than the highlight it
+// makes: points drawn on the lamp alone rarely hit the highlight, and are fireflies when they do
+// (Veach and Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995: the
+// one-sample model and its balance heuristic). The paper draws on the light always. Nothing is
+// traced here.
 #ifndef VIGIL_SHARED_LIGHT_POINT_H
 #define VIGIL_SHARED_LIGHT_POINT_H
 
@@ -19,20 +20,13 @@ SHADER_CONST float LOBE_SHARE_MOST = 0.9f;
 /// Lights that cover less of the lobe get no draws along it: most of those would miss.
 SHADER_CONST float LOBE_COVERED_LEAST = 0.25f;
 
-/// Solid angle of a light in steradian; of a far one about so.
-SHADER_FN float light_solid_angle(Light light, SphericalTriangle near, vec3 position) {
-    if (near.solid_angle > 0.0f) return near.solid_angle;
-    return see_light_point(light, position, light.v0 + (light.e1 + light.e2) / 3.0f).geometry;
-}
-
-/// Which part of the draws follows the GGX lobe of a surface (unit normal and view). Taken as evenly
-/// bright where it meets the light, the lobe covers a part a of the light, and the light a part h of
-/// the lobe. With a part q of the draws along the lobe, a diffuse contribution d and a glossy one s,
-/// the second moment is
+/// Which part of the draws follows the GGX lobe of a surface (unit normal and view). Taken as
+/// evenly bright where it meets the light, the lobe covers a part a of the light, and the light a
+/// part h of the lobe. With a part q of the draws along the lobe, a diffuse contribution d and a
+/// glossy one s, the second moment is
 ///     d^2 (1 - a) / (1 - q) + (a d + s)^2 / ((1 - q) a + q h),
 /// least at the q returned here: 0 unless the lobe is much narrower than the light.
-SHADER_FN float lobe_share(LtcSurface prepared, vec3 view, Brdf brdf, Light light,
-                           SphericalTriangle near) {
+SHADER_FN float lobe_share(LtcSurface prepared, vec3 view, Brdf brdf, Light light) {
     const LtcParts parts = ltc_parts(prepared, light, true);
     const float h = parts.covered;
     if (!(h > LOBE_COVERED_LEAST)) return 0.0f;
@@ -40,7 +34,7 @@ SHADER_FN float lobe_share(LtcSurface prepared, vec3 view, Brdf brdf, Light ligh
     const float nv = brdf_cosine(prepared.normal, brdf_view(prepared.normal, view));
     const float alpha2 = brdf.alpha * brdf.alpha;
     const float peak = 0.5f * INVERSE_PI / (alpha2 * (nv + smith_root(alpha2, nv)));
-    const float a = h / max(peak * light_solid_angle(light, near, prepared.position), 1e-6f);
+    const float a = h / max(peak * light_solid_angle(light, prepared.position), 1e-6f);
     if (!(a < h)) return 0.0f;
     const float beside = parts.diffuse * sqrt(1.0f - a);
     const float inside = (a * parts.diffuse + parts.specular) * sqrt(h - a);

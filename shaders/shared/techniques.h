@@ -11,6 +11,7 @@
     ROW(vlc, "Visibility Light Cache: the lights that samples of the last frame have seen nearby, weighted") \
     ROW(uniform, "every light of the level with equal probability; a baseline") \
     ROW(power, "every light of the level in proportion to its emitted power; a baseline") \
+    ROW(ris, "resampled importance sampling: some lights of the level, weighted; a baseline that knows no clusters") \
     ROW(brute, "no light sampling: emitters are found by BRDF rays; the reference for tests")
 // clang-format on
 

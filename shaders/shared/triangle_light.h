@@ -63,25 +63,54 @@ SHADER_FN LightSample see_light_point(Light light, vec3 position, vec3 point) {
     return seen;
 }
 
-/// Below this solid angle (steradian) a light is sampled by area.
+/// Solid angle of the light's lit side in steradian, in [0, 2 pi); 0 where it faces away. Exact to
+/// some units in the last place for the smallest and the largest lights (see spherical_triangle.h).
+SHADER_FN float light_solid_angle(Light light, vec3 position) {
+    const float facing = light_facing(light, position);
+    if (!(facing > 0.0f)) return 0.0f;
+    const vec3 a = light.v0 - position;
+    const vec3 b = a + light.e1;
+    const vec3 c = a + light.e2;
+    const vec3 inverse =
+        vec3(inversesqrt(dot(a, a)), inversesqrt(dot(b, b)), inversesqrt(dot(c, c)));
+    const float volume = facing * inverse.x * inverse.y * inverse.z;
+    const float angle = 2.0f * atan(volume, 1.0f + dot(a, b) * (inverse.x * inverse.y) +
+                                                dot(b, c) * (inverse.y * inverse.z) +
+                                                dot(c, a) * (inverse.z * inverse.x));
+    return angle > 0.0f ? angle : 0.0f; // also for NaN: at a corner
+}
+
+/// How dense points are drawn on a light: the choices of pt_light_density, in their order.
+SHADER_CONST int LIGHT_DENSITY_AUTO = 0; // by solid angle where the light is near, else by area
+SHADER_CONST int LIGHT_DENSITY_AREA = 1; // evenly over its area: the paper
+SHADER_CONST int LIGHT_DENSITY_SOLID_ANGLE = 2; // evenly over what is seen of it: Quake II RTX
+
+/// Below this solid angle (steradian) `auto` samples a light by area.
 SHADER_CONST float LIGHT_NEAR_SOLID_ANGLE = 0.02f;
 
 /// The light as a spherical triangle if it is sampled by solid angle; otherwise its solid_angle is
 /// 0.
-SHADER_FN SphericalTriangle near_light(Light light, vec3 position) {
+SHADER_FN SphericalTriangle near_light(Light light, vec3 position, int density) {
     SphericalTriangle seen;
     seen.solid_angle = 0.0f;
+    if (density == LIGHT_DENSITY_AREA) return seen;
     // A light of less than half its distance in size is far, without a closer look.
     const vec3 a = light.v0 - position;
-    if (4.0f * (dot(light.e1, light.e1) + dot(light.e2, light.e2)) < dot(a, a)) return seen;
+    const bool always = density == LIGHT_DENSITY_SOLID_ANGLE;
+    if (!always && 4.0f * (dot(light.e1, light.e1) + dot(light.e2, light.e2)) < dot(a, a))
+        return seen;
     const vec3 b = a + light.e1;
     const vec3 c = a + light.e2;
     if (!(light_facing(light, position) > 0.0f) || !(dot(a, a) > 0.0f) || !(dot(b, b) > 0.0f) ||
         !(dot(c, c) > 0.0f))
         return seen;
-    seen = spherical_triangle(a, b, c);
-    if (!(seen.solid_angle > LIGHT_NEAR_SOLID_ANGLE)) seen.solid_angle = 0.0f;
+    seen = spherical_triangle(a, light.e1, light.e2);
+    if (!(seen.solid_angle > (always ? 0.0f : LIGHT_NEAR_SOLID_ANGLE))) seen.solid_angle = 0.0f;
     return seen;
+}
+
+SHADER_FN SphericalTriangle near_light(Light light, vec3 position) {
+    return near_light(light, position, LIGHT_DENSITY_AUTO);
 }
 
 /// Where a line meets the light's plane, as weights of e1 and e2; not finite along the plane.
@@ -92,23 +121,13 @@ SHADER_FN vec2 light_plane_point(Light light, vec3 position, vec3 direction) {
            dot(light.e1, across);
 }
 
-/// The light's point in a direction inside its solid angle, as barycentric weights of e1 and e2.
-SHADER_FN vec2 light_point_in_direction(Light light, vec3 position, vec3 direction) {
-    const vec2 at = light_plane_point(light, position, direction);
-    // Rounding may carry it over an edge; directions along the plane have no point: the middle will
-    // do.
-    if (!(abs(at.x) < 2.0f && abs(at.y) < 2.0f)) return vec2(1.0f / 3.0f);
-    const vec2 inside = max(at, vec2(0.0f));
-    return inside / max(inside.x + inside.y, 1.0f);
-}
-
-/// Draws a point on the light; `near` is near_light's. Radiance leaving `position` towards the viewer
-/// through this sample is light.radiance * (BRDF * cosine) * geometry / (chance of choosing this
-/// light), if the point is visible.
+/// Draws a point on the light; `near` is near_light's. Radiance leaving `position` towards the
+/// viewer through this sample is light.radiance * (BRDF * cosine) * geometry / (chance of choosing
+/// this light), if the point is visible.
 SHADER_FN LightSample sample_light(Light light, SphericalTriangle near, vec3 position, vec2 u) {
     vec2 weights;
     if (near.solid_angle > 0.0f)
-        weights = light_point_in_direction(light, position, sample_spherical_triangle(near, u));
+        weights = sample_spherical_triangle(near, u);
     else
         weights = sample_triangle(u);
     LightSample seen =

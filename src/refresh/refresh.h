@@ -149,7 +149,7 @@ public:
     virtual std::string describe_leaf() const = 0;
     /// Text of `cdqinfo`: the directional quadtree of that leaf; or why there is none.
     virtual std::string describe_directions() const = 0;
-    /// Empties octree and light caches: the next frame learns anew.
+    /// Forgets what frames have taught, octree and light caches first of all: the next frame learns anew.
     virtual void reset_guiding() = 0;
     /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures); docs/export.md has units.
     virtual void export_scene(const Frame& frame, const std::string& path) = 0;

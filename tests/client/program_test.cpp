@@ -119,6 +119,25 @@ TEST_F(ProgramTest, TheGamesAutoexecRunsBeforeTheCommandLine) {
     EXPECT_NE(output_.find("7 1"), std::string::npos);
 }
 
+TEST_F(ProgramTest, PresetsOfLightListsGoThereAndBack) {
+    for (const char* name : {"q2rtx_lists.cfg", "default_lists.cfg"}) {
+        std::ifstream file(std::string(VIGIL_SOURCE_DIR "/baseq2/") + name);
+        game_.write(std::string("data/baseq2/") + name,
+                    std::string(std::istreambuf_iterator<char>(file), {}));
+    }
+    const std::string values = "+echo lists $pt_nee $pt_sll_max $pt_sll_mass $pt_sll_stats "
+                               "$pt_light_points $pt_light_density ";
+    EXPECT_EQ(run(values + "+exec q2rtx_lists.cfg " + values + "+exec default_lists.cfg " + values),
+              0);
+    const size_t before = output_.find("lists"), shipped = output_.find("lists", before + 1),
+                 after = output_.find("lists", shipped + 1);
+    ASSERT_NE(after, std::string::npos);
+    EXPECT_EQ(output_.substr(shipped, output_.find('\n', shipped) - shipped),
+              "lists sll 8 solid_angle 1 1 solid_angle");
+    EXPECT_EQ(output_.substr(before, output_.find('\n', before) - before),
+              output_.substr(after, output_.find('\n', after) - after));
+}
+
 TEST_F(ProgramTest, HeadlessNeitherReadsNorWritesThePlayersConfiguration) {
     game_.write("config/vigil/config.cfg", "set fov 120\n");
     EXPECT_EQ(run("+set fov 91 +echo $fov"), 0);

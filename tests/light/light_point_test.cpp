@@ -57,8 +57,7 @@ float share_of(const Place& place) {
     const float nv = brdf_cosine(up, brdf_view(up, place.view));
     const LtcSurface prepared = ltc_prepare_glossy(vec3(0.0f), up, place.view, place.brdf,
                                                    ltc_lookup(place.brdf.alpha, nv));
-    return lobe_share(prepared, place.view, place.brdf, place.light,
-                      near_light(place.light, vec3(0.0f)));
+    return lobe_share(prepared, place.view, place.brdf, place.light);
 }
 
 struct Moments {

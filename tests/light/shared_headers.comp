@@ -35,7 +35,7 @@ void main() {
     const vec3 origin = offset_ray_origin(vec3(0.0), normal);
     const LightSample seen = sample_light(light, origin, random_next2(random));
     const SphericalTriangle near = near_light(light, origin);
-    const float share = lobe_share(glossy, normal, brdf, light, near);
+    const float share = lobe_share(glossy, normal, brdf, light);
     const LightSample glint = sample_light_glossy(light, near, origin, normal, normal, brdf, share, vec2(0.5));
     result = vec4(ltc_importance(diffuse, light, false), ltc_importance(glossy, light, true),
                   drawn.seen.pdf + seen.geometry + glint.geometry, alias_choose(entry, slot));

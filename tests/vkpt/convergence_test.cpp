@@ -5,6 +5,7 @@
 // output says. The technique table is the list of what is tested.
 #include "refresh/vkpt/gpu/commands.h"
 #include "render_test.h"
+#include "technique_settings.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -37,20 +38,18 @@ protected:
         const PictureBatches brute =
             batches(shot, brute_batches, plan.brute_paths * path_factor(), 1000, block);
         set("pt_guide", guide);
-        for (const TechniqueInfo& info : technique_infos) {
-            if (info.name == "brute") continue;
-            set("pt_nee", info.name);
-            // Lists on both sides of the stride; caches of one bucket and of several.
-            for (const char* most : {"32", "4"}) {
-                if (info.name != "sll" && info.name != "vlc" && most[0] == '4') continue;
-                set("pt_sll_max", most);
-                set("pt_vlc_bucket", most);
-                const PictureBatches sampled =
-                    batches(shot, sampled_batches, plan.paths * path_factor(), 5000, block);
-                SCOPED_TRACE(fmt::format("{} {} lights at most", info.name, most));
-                judge(fmt::format("{:8} {:>2}", info.name, most), sampled, brute, plan.detectable);
-            }
+        for (const TechniqueSettings& settings : technique_settings()) {
+            if (settings.technique == "brute" || !settings.pictures) continue;
+            settings.set();
+            const PictureBatches sampled =
+                batches(shot, sampled_batches, plan.paths * path_factor(), 5000, block);
+            SCOPED_TRACE(label_of(settings));
+            judge(label_of(settings), sampled, brute, plan.detectable);
         }
+    }
+
+    static std::string label_of(const TechniqueSettings& settings) {
+        return fmt::format("{:8} {:10}", settings.technique, settings.label);
     }
 
     static void judge(const std::string& label, PictureBatches sampled, const PictureBatches& brute,
@@ -154,11 +153,15 @@ TEST_F(Convergence, LightsThatChangeEveryFrame) {
     set("pt_nee", "brute");
     const PictureBatches brute =
         batches(shot_of(frames - 1), brute_batches, 2 * Plan().brute_paths, 1000, block);
-    // What is judged is the last frame of a sequence that begins with empty caches: they are then
-    // made from frames in which the lights were others.
-    set("pt_nee", "vlc");
-    for (const char* most : {"32", "4"}) {
-        set("pt_vlc_bucket", most);
+    // What is judged is the last frame of a sequence that begins with nothing learned: what is
+    // known then is of frames in which the lights were others.
+    int learning = 0;
+    for (const TechniqueSettings& settings : technique_settings()) {
+        settings.set();
+        if (!settings.pictures) continue;
+        renderer().render(shot_of(0).frame());
+        if (!renderer().technique()->learns()) continue;
+        ++learning;
         PictureBatches sampled(cvars()->vid_width, cvars()->vid_height, block);
         int seed = 0;
         for (int batch = 0; batch < sampled_batches; ++batch) {
@@ -177,9 +180,10 @@ TEST_F(Convergence, LightsThatChangeEveryFrame) {
                 value /= static_cast<float>(sequences * path_factor());
             sampled.add(sum);
         }
-        SCOPED_TRACE(fmt::format("{} lights at most", most));
-        judge(fmt::format("vlc      {:>2}", most), sampled, brute, 0.025);
+        SCOPED_TRACE(label_of(settings));
+        judge(label_of(settings), sampled, brute, 0.025);
     }
+    EXPECT_GE(learning, 3);
 }
 
 /// A scene under a sun that turns by some degrees from each frame to the next.

@@ -59,6 +59,8 @@ refresh::Frame Shot::frame() const {
     frame.dynamic_lights = dynamic_lights;
     frame.time_s = time_s;
     frame.light_styles.fill(1.0f);
+    for (const int style : dark_styles)
+        frame.light_styles[static_cast<size_t>(style)] = 0.0f;
     return frame;
 }
 
@@ -120,7 +122,7 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
 
 void RenderTest::learn(const Shot& shot, int frames) {
     radiance(shot);
-    if (!renderer().guided()) return;
+    if (!renderer().guided() && !renderer().technique()->learns()) return;
     shader::FrameParams frame = params(shot);
     renderer().reset_guiding();
     gpu::FrameCommands commands(renderer().device());
@@ -134,7 +136,8 @@ void RenderTest::learn(const Shot& shot, int frames) {
 shader::GuidingWork RenderTest::adapt(gpu::FrameCommands& commands) {
     renderer().device().wait_idle();
     commands.begin();
-    renderer().guiding().record(commands, 0);
+    renderer().technique()->adapt(commands);
+    if (renderer().guided()) renderer().guiding().record(commands, 0);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return renderer().guiding().statistics(0);

@@ -26,6 +26,7 @@ struct Shot {
     std::vector<refresh::Entity> entities;
     std::vector<refresh::DynamicLight> dynamic_lights;
     double time_s = 0.0;
+    std::vector<int> dark_styles{}; // light styles that are off; all others shine
     refresh::Frame frame() const;
 };
 
@@ -60,8 +61,8 @@ protected:
     /// `frames` frames of it. The same whatever was rendered before.
     static void learn(const Shot& shot, int frames);
     static constexpr int frames_to_learn = 10;
-    /// Runs the passes that learn from what was traced last; returns what they counted. `commands`
-    /// are free before and after.
+    /// Runs the passes that learn from what was traced last, the technique's and the octree's;
+    /// returns what the latter counted. `commands` are free before and after.
     static shader::GuidingWork adapt(gpu::FrameCommands& commands);
 
     /// Parameters of a frame as the renderer would make them, for `trace`.

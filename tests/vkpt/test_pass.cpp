@@ -27,7 +27,12 @@ std::span<const uint32_t> test_shader_code(std::string_view name) {
 }
 
 TestPass::TestPass(vkpt::VkptRenderer& renderer, const std::string& name)
-    : renderer_(renderer), device_(renderer.device()), name_(name) {}
+    : TestPass(renderer, name, renderer.scene()->features()) {}
+
+TestPass::TestPass(vkpt::VkptRenderer& renderer, const std::string& name,
+                   const vkpt::SceneFeatures& features)
+    : renderer_(renderer), device_(renderer.device()), name_(name), features_(features),
+      unused_(device_, 16, gpu::MemoryUse::Device, "unused") {}
 
 void TestPass::add_buffer(std::span<const std::byte> bytes) {
     buffers_.push_back(gpu::make_buffer(device_, bytes, "test"));
@@ -37,38 +42,39 @@ void TestPass::add_buffer(size_t bytes) {
     add_buffer(std::vector<std::byte>(bytes));
 }
 
-void TestPass::run(glm::uvec3 groups, glm::uvec2 push) {
+void TestPass::make_pipeline() {
     const std::vector<VkDescriptorType> own_types(buffers_.size(),
                                                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    const gpu::Buffer unused(device_, 16, gpu::MemoryUse::Device, "unused");
-    gpu::DescriptorSet own_set(device_, own_types, unused, "test");
-    for (uint32_t i = 0; i < buffers_.size(); ++i)
-        own_set.bind(i, buffers_[i]);
+    set_ = gpu::DescriptorSet(device_, own_types, unused_, "test");
     const auto [scene_layout, technique_layout, guiding_layout] =
         renderer_.path_tracer().set_layouts();
-    const gpu::Handle<VkPipelineLayout> layout = gpu::make_pipeline_layout(
-        device_, std::array{scene_layout, technique_layout, guiding_layout, own_set.layout()});
+    layout_ = gpu::make_pipeline_layout(
+        device_, std::array{scene_layout, technique_layout, guiding_layout, set_.layout()});
+    const std::array<gpu::Specialization, 8> constants{{{0, features_.instances},
+                                                        {1, features_.translucent},
+                                                        {8, features_.sky},
+                                                        {9, features_.sun},
+                                                        {10, features_.gloss},
+                                                        {11, features_.liquid},
+                                                        {12, features_.animation},
+                                                        {13, features_.lights}}};
+    pipeline_ = {device_,   layout_.get(), nullptr, test_shader_code(name_),
+                 constants, name_.c_str()};
+}
 
-    const vkpt::SceneFeatures features = renderer_.scene()->features();
-    const std::array<gpu::Specialization, 8> constants{{{0, features.instances},
-                                                        {1, features.translucent},
-                                                        {8, features.sky},
-                                                        {9, features.sun},
-                                                        {10, features.gloss},
-                                                        {11, features.liquid},
-                                                        {12, features.animation},
-                                                        {13, features.lights}}};
-    const gpu::ComputePipeline pipeline(device_, layout.get(), nullptr, test_shader_code(name_),
-                                        constants, name_.c_str());
+void TestPass::run(glm::uvec3 groups, glm::uvec2 push) {
+    if (!pipeline_) make_pipeline();
     device_.wait_idle();
+    for (uint32_t i = 0; i < buffers_.size(); ++i)
+        set_.bind(i, buffers_[i]);
     gpu::run_now(device_, [&](VkCommandBuffer commands) {
         const std::array sets{renderer_.path_tracer().scene_set(),
                               renderer_.path_tracer().technique_set(), renderer_.guiding().set(),
-                              own_set.handle()};
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0,
+                              set_.handle()};
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
                                 static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
-        pipeline.bind(commands);
-        vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
+        pipeline_.bind(commands);
+        vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
                            &push);
         vkCmdDispatch(commands, groups.x, groups.y, groups.z);
         gpu::full_barrier(commands);

@@ -20,10 +20,15 @@ class TestPass {
 public:
     /// `name` as in test_shader_code; the scene's features are compiled in.
     TestPass(vkpt::VkptRenderer& renderer, const std::string& name);
+    /// The same for scenes that have at most these features.
+    TestPass(vkpt::VkptRenderer& renderer, const std::string& name,
+             const vkpt::SceneFeatures& features);
 
     /// Makes a buffer of set 3, holding these bytes or zeros; call in the order of the bindings.
     void add_buffer(std::span<const std::byte> bytes);
     void add_buffer(size_t bytes);
+    /// Forgets the buffers, so that others can be added in their places: as many as before.
+    void clear_buffers() { buffers_.clear(); }
 
     /// Runs `groups` work groups with two push constants and waits.
     void run(glm::uvec3 groups, glm::uvec2 push);
@@ -33,10 +38,17 @@ public:
     }
 
 private:
+    void make_pipeline();
+
     vkpt::VkptRenderer& renderer_;
     const gpu::Device& device_;
     std::string name_;
+    vkpt::SceneFeatures features_;
+    gpu::Buffer unused_;
     std::vector<gpu::Buffer> buffers_;
+    gpu::DescriptorSet set_;
+    gpu::Handle<VkPipelineLayout> layout_;
+    gpu::ComputePipeline pipeline_; // made by the first run()
 };
 
 } // namespace vigil::test

@@ -17,6 +17,7 @@ namespace vigil::vkpt {
     ROW(VlcDeduplicate, "vlc_deduplicate") /* different visible lights of each leaf */ \
     ROW(VlcMerge,   "vlc_merge")  /* lights of neighbours joined, buckets made */ \
     ROW(CdqAdapt,   "cdq_adapt")  /* quadtrees follow what rays brought */ \
+    ROW(ShadowStatistics, "shadow_statistics") /* how often lights were hidden, for sll */ \
     ROW(Primary,    "primary")    /* camera rays */ \
     ROW(Direct,     "direct")     /* next event estimation at the primary hit */ \
     ROW(Indirect,   "indirect")   /* BRDF rays and next event estimation where they land */ \

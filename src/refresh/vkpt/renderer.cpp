@@ -64,6 +64,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
 
 void VkptRenderer::reset_guiding() {
     if (!scene_) return;
+    if (technique_) technique_->forget();
     // A cube around the world, larger by odd fractions: few walls lie on the borders of its cells.
     const Bounds& bounds = scene_->world_bounds();
     const glm::vec3 extent = bounds.extent();
@@ -223,6 +224,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
             scene_->upload(commands);
             technique_->upload(commands);
         }
+        technique_->adapt(commands);
         update_guiding(commands, slot);
 
         // Trace and finish the picture.

@@ -25,7 +25,9 @@ bool ClusterLists::prepare(const LightSet& lights) {
     const uint32_t first_moving = lights.static_count();
     if (!built_) {
         // A static light that is dark now may be switched on later: it is listed all the same.
-        renewed |= static_.set(lister_.build(triangles_of(lights, 0, first_moving, true)));
+        const LightLists lists = lister_.build(triangles_of(lights, 0, first_moving, true));
+        static_pairs_ = lists.pair_count;
+        renewed |= static_.set(lists);
         built_ = true;
     }
     if (revision_ != lights.moving_revision()) {
@@ -33,6 +35,7 @@ bool ClusterLists::prepare(const LightSet& lights) {
         const auto count = static_cast<uint32_t>(lights.lights().size());
         const std::vector<LightTriangle> moving = triangles_of(lights, first_moving, count, false);
         const LightLists lists = lister_.build(moving);
+        moving_pairs_ = lists.pair_count;
         renewed |= moving_.set(lists);
         const uint32_t counts[2] = {static_cast<uint32_t>(lists.ranges.size()),
                                     moving.empty() ? 0u : 1u};

@@ -21,6 +21,8 @@ public:
     void upload(gpu::FrameCommands& commands);
     /// Puts the buffers at the bindings of light_list.glsl, 1 to 5.
     void bind(LightTechnique::Bindings& bindings) const;
+    /// Lengths of all lists, added up.
+    uint64_t pair_count() const { return static_pairs_ + moving_pairs_; }
 
 private:
     struct ListBuffers {
@@ -37,6 +39,7 @@ private:
     ListBuffers static_, moving_;
     GrowingBuffer counts_;
     uint64_t revision_ = 0;
+    uint64_t static_pairs_ = 0, moving_pairs_ = 0;
     bool built_ = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Technique `sll`: Static Light Lists (shaders/light/sll.glsl).
+// Technique `sll`: Static Light Lists (shaders/light/sll.glsl), and what they learn about shadows.
+#include "common/cvar.h"
 #include "refresh/vkpt/light/cluster_lists.h"
+#include "refresh/vkpt/light/shadow_statistics.h"
 
 namespace vigil::vkpt {
 
@@ -8,18 +10,32 @@ namespace {
 
 class StaticLightLists : public LightTechnique {
 public:
-    explicit StaticLightLists(const TechniqueContext& context) : lists_(context) {}
+    explicit StaticLightLists(const TechniqueContext& context)
+        : lists_(context), shadows_(context.device) {}
 
-    bool prepare(const LightFrame& frame) override { return lists_.prepare(frame.lights); }
+    bool prepare(const LightFrame& frame) override {
+        bool renewed = lists_.prepare(frame.lights);
+        if (learns())
+            renewed |= shadows_.reserve(lists_.pair_count());
+        else
+            shadows_.forget(); // what was counted before it was switched off is out of date later
+        return renewed;
+    }
     void upload(gpu::FrameCommands& commands) override { lists_.upload(commands); }
+    void adapt(gpu::FrameCommands& commands) override {
+        if (learns()) shadows_.adapt(commands);
+    }
+    void forget() override { shadows_.forget(); }
+    bool learns() const override { return cvars()->pt_sll_stats != 0; }
     Bindings bindings() const override {
-        Bindings bindings{};
+        Bindings bindings{shadows_.buffer()};
         lists_.bind(bindings);
         return bindings;
     }
 
 private:
     ClusterLists lists_;
+    ShadowStatistics shadows_;
 };
 
 } // namespace

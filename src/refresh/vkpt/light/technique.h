@@ -36,6 +36,13 @@ public:
     virtual bool prepare(const LightFrame& frame) = 0;
     /// Records the copies of what changed; after prepare.
     virtual void upload(gpu::FrameCommands& commands) = 0;
+    /// Records passes that turn what the frames before taught into what this frame reads; after
+    /// upload and a barrier, and ends with one.
+    virtual void adapt(gpu::FrameCommands&) {}
+    /// Forgets what frames taught: the next adapt() begins anew.
+    virtual void forget() {}
+    /// Whether it learns from frame to frame, by itself or by the octree.
+    virtual bool learns() const { return uses_guiding(); }
     /// Buffers by binding of set 1; null where there is none.
     using Bindings = std::array<const gpu::Buffer*, TECHNIQUE_BINDING_COUNT>;
     virtual Bindings bindings() const = 0;

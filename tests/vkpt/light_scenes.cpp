@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "light_scenes.h"
+
+#include <random>
+
+namespace vigil::test {
+
+namespace {
+
+/// A switched style, as Quake II's compilers give them out from 32 on.
+constexpr uint8_t dark_style = 33;
+
+struct Triangle {
+    glm::vec3 v0, v1, v2; // counter-clockwise as seen from the lit side
+    uint8_t style = 0;
+};
+
+/// Hangs triangles of light into the level, in turn red, green and blue: a colour that is off
+/// points to its lights.
+void hang(Level& level, const std::vector<Triangle>& triangles, int value) {
+    Bsp& bsp = level.bsp;
+    const auto first_info = static_cast<uint32_t>(bsp.texinfos.size());
+    for (const char* texture : {"test/lamp_red", "test/lamp_green", "test/blue"}) {
+        BspTexInfo info;
+        info.s = {1, 0, 0, 0};
+        info.t = {0, 1, 0, 0};
+        info.flags = SURF_LIGHT;
+        info.value = value;
+        info.texture = texture;
+        bsp.texinfos.push_back(info);
+    }
+    for (const Triangle& triangle : triangles) {
+        const glm::vec3 normal =
+            glm::normalize(glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0));
+        BspFace face;
+        face.plane = static_cast<uint32_t>(bsp.planes.size());
+        bsp.planes.push_back({normal, glm::dot(normal, triangle.v0), 3});
+        face.first_edge = static_cast<uint32_t>(bsp.surf_edges.size());
+        face.edge_count = 3;
+        face.texinfo = first_info + static_cast<uint32_t>(bsp.faces.size() % 3);
+        face.styles = {triangle.style, 255, 255, 255};
+        // The file walks a face clockwise.
+        const auto corner = static_cast<uint32_t>(bsp.vertices.size());
+        bsp.vertices.insert(bsp.vertices.end(), {triangle.v0, triangle.v2, triangle.v1});
+        for (uint32_t i = 0; i < 3; ++i) {
+            bsp.surf_edges.push_back(static_cast<int32_t>(bsp.edges.size()));
+            bsp.edges.push_back({corner + i, corner + (i + 1) % 3});
+        }
+        bsp.faces.push_back(face);
+    }
+    bsp.models[0].face_count += static_cast<uint32_t>(triangles.size());
+}
+
+/// Puts out the lamps that the level came with.
+void put_out(Level& level) {
+    for (BspTexInfo& info : level.bsp.texinfos)
+        info.value = 0;
+}
+
+/// Triangles of the given size in a box, turned anyhow.
+std::vector<Triangle> scattered(int count, float size, glm::vec3 low, glm::vec3 high,
+                                uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](float a, float b) {
+        return std::uniform_real_distribution<float>(a, b)(random);
+    };
+    std::vector<Triangle> triangles;
+    while (triangles.size() < static_cast<size_t>(count)) {
+        const auto direction = [&] {
+            return glm::vec3(between(-1, 1), between(-1, 1), between(-1, 1));
+        };
+        const glm::vec3 at(between(low.x, high.x), between(low.y, high.y), between(low.z, high.z));
+        const glm::vec3 e1 = size * direction(), e2 = size * direction();
+        if (glm::length(glm::cross(e1, e2)) < 0.05f * size * size) continue; // too thin to matter
+        triangles.push_back({at, at + e1, at + e2});
+    }
+    return triangles;
+}
+
+/// The hall of the level `lamp`, its lamp put out, seen from the side: a floor at z = 0.
+LightScene hall(std::string name, std::vector<Triangle> triangles, int value) {
+    LightScene scene;
+    scene.name = std::move(name);
+    scene.level = "lamp";
+    scene.edit = [triangles = std::move(triangles), value](Level& level) {
+        put_out(level);
+        hang(level, triangles, value);
+    };
+    scene.shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    return scene;
+}
+
+constexpr glm::vec3 under_the_roof_low(-200, -200, 90), under_the_roof_high(200, 200, 240);
+
+LightScene one_light() {
+    return hall("OneLight", {{{-150, -20, 100}, {-110, 30, 90}, {-90, -30, 110}}}, 200);
+}
+
+LightScene no_light() {
+    LightScene scene = hall("NoLight", {}, 0);
+    scene.dark = true;
+    return scene;
+}
+
+LightScene behind_the_surface() {
+    // Below the floor and turned to it, in no cluster, so in everybody's list; and above it, but
+    // turned away.
+    std::vector<Triangle> triangles = scattered(20, 12, {-200, -200, -60}, {0, 200, -20}, 1);
+    for (Triangle& triangle : triangles) {
+        if (glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0).z < 0.0f)
+            std::swap(triangle.v1, triangle.v2);
+        if (triangle.v0.y < 0.0f) continue;
+        const float height = triangle.v0.z + 160.0f;
+        for (glm::vec3* corner : {&triangle.v0, &triangle.v1, &triangle.v2})
+            corner->z = height;
+    }
+    LightScene scene = hall("BehindTheSurface", triangles, 200);
+    scene.dark = true;
+    return scene;
+}
+
+LightScene ten_thousand() {
+    LightScene scene =
+        hall("TenThousand", scattered(10000, 3, under_the_roof_low, under_the_roof_high, 2), 50);
+    scene.size = {8, 8};
+    scene.detectable = 0.15; // most draws are of lights that matter little
+    return scene;
+}
+
+LightScene half_of_them_black() {
+    std::vector<Triangle> triangles =
+        scattered(120, 12, under_the_roof_low, under_the_roof_high, 3);
+    for (size_t i = 0; i < triangles.size(); i += 2)
+        triangles[i].style = dark_style;
+    LightScene scene = hall("HalfOfThemBlack", triangles, 100);
+    scene.shot.dark_styles = {dark_style};
+    scene.detectable = 0.1;
+    return scene;
+}
+
+LightScene in_the_plane() {
+    std::vector<Triangle> triangles = scattered(40, 12, {-180, -150, 0}, {100, 150, 0}, 4);
+    for (Triangle& triangle : triangles) {
+        for (glm::vec3* corner : {&triangle.v1, &triangle.v2})
+            corner->z = 0.0f;
+        if (glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0).z < 0.0f)
+            std::swap(triangle.v1, triangle.v2);
+    }
+    // And some that do shine on it, so that there is something to get wrong.
+    for (const Triangle& triangle : scattered(8, 24, under_the_roof_low, under_the_roof_high, 5))
+        triangles.push_back(triangle);
+    return hall("InThePlane", triangles, 100);
+}
+
+LightScene rooms() {
+    LightScene scene;
+    scene.name = "RoomsWithManyLamps";
+    scene.level = "rooms";
+    scene.shot.view = {{290, 20, 96}, {5, 55, 0}, 90};
+    return scene;
+}
+
+LightScene moving() {
+    LightScene scene;
+    scene.name = "MovingAndDynamic";
+    scene.level = "rooms";
+    scene.shot.view = {{40, 40, 60}, {0, 35, 0}, 90};
+    refresh::Entity door;
+    door.number = 1;
+    door.origin = {-40, -20, 20};
+    scene.shot.entities = {door};
+    scene.door = true;
+    scene.shot.dynamic_lights = {{7, {120, 120, 40}, 16.0f, {20, 10, 5}},
+                                 {8, {200, 60, 100}, 2.0f, {5, 20, 40}}};
+    return scene;
+}
+
+} // namespace
+
+std::vector<LightScene> light_scenes() {
+    return {one_light(),
+            no_light(),
+            behind_the_surface(),
+            ten_thousand(),
+            half_of_them_black(),
+            in_the_plane(),
+            rooms(),
+            moving()};
+}
+
+} // namespace vigil::test

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What every light-sampling technique has to keep, on every scene of light_scenes.h; a technique is
+// tested by its row in shared/techniques.h. Where it tells probabilities, they add up to 1 (or to
+// the share of draws that can find a light), lights are drawn as often as they say, and a draw
+// brings along the very probability that is computed for it afterwards. No light is drawn that has
+// none. And the mean of next event estimation is that of brute force: of all lights, one after the
+// other, without a choice. Each judgement is made once more with a planted error, which must be
+// found.
+#include "light/statistics.h"
+#include "light_scenes.h"
+#include "technique_settings.h"
+#include "test_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace vigil::test {
+namespace {
+
+constexpr uint32_t draws_per_pixel = 2048;
+constexpr uint32_t batch_count = 16, draws_per_batch = 128;
+constexpr int block = 4;
+/// Relative error that is planted into probabilities: half of the lights get it, half lose it, two
+/// and two (of neighbours, one may be black).
+constexpr double planted = 0.03;
+
+struct Answer {
+    float probability;
+    uint32_t draws;
+};
+
+/// What the shader said about one scene.
+struct Answers {
+    size_t lights = 0;
+    bool exact = false;
+    std::vector<Answer> answers; // rows of lights + 1
+    std::vector<float> errors;
+    std::vector<shader::PrimaryHit> hits;
+
+    std::span<const Answer> row(size_t pixel) const {
+        return std::span(answers).subspan(pixel * (lights + 1), lights + 1);
+    }
+    bool has_surface(size_t pixel) const { return hits[pixel].primitive != shader::NONE; }
+    /// Sum of the claimed probabilities of all lights.
+    double sum(size_t pixel) const {
+        double total = 0.0;
+        for (const Answer& answer : row(pixel).first(lights))
+            total += static_cast<double>(answer.probability);
+        return total;
+    }
+};
+
+/// Bins for a chi-square: at least ten expected draws each, what is rarer together.
+class Bins {
+public:
+    explicit Bins(double draws) : draws_(draws) {}
+
+    void add(double share, uint64_t count) {
+        if (share * draws_ >= 10.0) {
+            shares_.push_back(share);
+            counts_.push_back(count);
+        } else {
+            shares_.front() += share;
+            counts_.front() += count;
+        }
+    }
+    /// Standard normal, unless there are too few bins.
+    std::optional<double> score() {
+        if (shares_.size() > 1 &&
+            shares_.front() * draws_ < 3.0) { // too few for a bin of their own
+            shares_[1] += shares_.front();
+            counts_[1] += counts_.front();
+            shares_.erase(shares_.begin());
+            counts_.erase(counts_.begin());
+        }
+        if (counts_.size() < 2) return {};
+        return chi_square_z(counts_, shares_);
+    }
+
+private:
+    double draws_;
+    std::vector<uint64_t> counts_{0};
+    std::vector<double> shares_{0.0};
+};
+
+/// Draws of all pixels together, by groups of lights: sums of different multinomials have a little
+/// less variance than one of the mean probability, so that the score is on the safe side.
+double pooled_score(const Answers& answers, double error) {
+    constexpr size_t groups = 32;
+    std::vector<double> shares(groups + 1, 0.0);
+    std::vector<uint64_t> counts(groups + 1, 0);
+    double pixels = 0.0;
+    for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
+        if (!answers.has_surface(pixel)) continue;
+        pixels += 1.0;
+        const std::span<const Answer> row = answers.row(pixel);
+        double sum = 0.0;
+        for (size_t light = 0; light < answers.lights; ++light) {
+            const double share = static_cast<double>(row[light].probability);
+            shares[light % groups] += share * (light / 2 % 2 == 0 ? 1.0 + error : 1.0 - error);
+            counts[light % groups] += row[light].draws;
+            sum += share;
+        }
+        shares[groups] += std::max(1.0 - sum, 0.0);
+        counts[groups] += row[answers.lights].draws;
+    }
+    const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+    Bins bins(pixels * draws_per_pixel);
+    for (size_t group = 0; group <= groups; ++group)
+        bins.add(shares[group] / total, counts[group]);
+    return bins.score().value_or(0.0);
+}
+
+class LightTechniqueTest : public RenderTest,
+                           public testing::WithParamInterface<TechniqueSettings> {
+protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        GetParam().set();
+    }
+
+    /// Loads the scene and lets the technique learn it.
+    void bring(LightScene& scene) {
+        set_size(scene.size.x, scene.size.y);
+        load(scene.level, scene.edit);
+        if (scene.door) scene.shot.entities[0].model = renderer().register_model("*1");
+        learn(scene.shot, frames_to_learn);
+        // The same primary hits for all: a ray may or may not stop at a window.
+        shader::FrameParams frame = params(scene.shot);
+        frame.frame = 1;
+        trace(frame, renderer().scene()->features(), 1);
+        if (!pass_) {
+            vkpt::SceneFeatures features; // of any scene
+            features.instances = features.translucent = features.lights = true;
+            pass_.emplace(renderer(), fmt::format("light_technique.{}", GetParam().technique),
+                          features);
+        }
+    }
+
+    static size_t pixels() {
+        const glm::uvec2 size = renderer().path_tracer().size();
+        return size_t{size.x} * size.y;
+    }
+
+    void add_buffers(uint32_t batches) {
+        pass_->clear_buffers();
+        pass_->add_buffer(pixels() * (light_count() + 1) * sizeof(Answer));
+        pass_->add_buffer(pixels() * std::max(batches, 1u) * sizeof(glm::vec3));
+        pass_->add_buffer((1 + pixels()) * sizeof(float));
+    }
+
+    void run(uint32_t depth, glm::uvec2 push) {
+        const glm::uvec2 tiles = (renderer().path_tracer().size() + 7u) / 8u;
+        pass_->run({tiles, depth}, push);
+    }
+
+    Answers ask() {
+        add_buffers(0);
+        constexpr uint32_t lights_at_once = 128;
+        Answers answers;
+        answers.lights = light_count();
+        run(static_cast<uint32_t>(answers.lights) / lights_at_once + 1, {0, lights_at_once});
+        run(draws_per_pixel, {1, 1});
+        answers.answers = pass_->read<Answer>(0, pixels() * (answers.lights + 1));
+        answers.errors = pass_->read<float>(2, 1 + pixels());
+        answers.exact = answers.errors[0] != 0.0f; // any bit
+        answers.errors.erase(answers.errors.begin());
+        answers.hits = gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().path_tracer().primary_hits(), 0, pixels());
+        return answers;
+    }
+
+    static size_t light_count() { return renderer().scene()->lights().lights().size(); }
+
+    /// Independent pictures of the light that arrives at primary hits, by draws.
+    PictureBatches sampled() {
+        add_buffers(batch_count);
+        run(batch_count, {2, draws_per_batch});
+        return add_up(batch_count, 1, 1);
+    }
+
+    /// The same from all lights. They are looked at one by one, so few points on each do.
+    PictureBatches reference() {
+        constexpr uint32_t batches = 6, lights_at_once = 512;
+        const auto parts = static_cast<uint32_t>(
+            std::max<size_t>((light_count() + lights_at_once - 1) / lights_at_once, 1));
+        const auto repeats = static_cast<uint32_t>(
+            std::clamp<size_t>(600 / std::max<size_t>(light_count(), 1), 1, 40));
+        add_buffers(batches * repeats * parts);
+        run(batches * repeats * parts, {3, lights_at_once});
+        return add_up(batches, repeats, parts);
+    }
+
+    /// Batches of what the shader wrote: means of `repeats` sums of `parts` pictures.
+    PictureBatches add_up(uint32_t batches, uint32_t repeats, uint32_t parts) {
+        const size_t size = 3 * pixels();
+        const std::vector<float> values = pass_->read<float>(1, size * batches * repeats * parts);
+        PictureBatches result(cvars()->vid_width, cvars()->vid_height, block);
+        std::vector<float> mean(size);
+        for (uint32_t batch = 0; batch < batches; ++batch) {
+            std::ranges::fill(mean, 0.0f);
+            const size_t first = size_t{batch} * repeats * parts * size;
+            for (size_t i = 0; i < size * repeats * parts; ++i)
+                mean[i % size] += values[first + i] / static_cast<float>(repeats);
+            result.add(mean);
+        }
+        return result;
+    }
+
+    std::optional<TestPass> pass_;
+};
+
+/// Distance of a sum of probabilities from the nearest that is possible.
+double impossible(double sum, const Blanks& blanks, size_t lights) {
+    const size_t walk = std::min<size_t>(blanks.walk, std::max<size_t>(lights, 1));
+    const auto parts = static_cast<uint32_t>(
+        blanks.parts > 1 ? blanks.parts : (std::max<size_t>(lights, 1) + walk - 1) / walk);
+    double nearest = std::abs(sum); // where nothing can shine, there is nothing to draw
+    for (uint32_t i = 1; i <= parts; ++i) {
+        const double found = (1.0 - sum) / blanks.share * i;
+        nearest = std::min(nearest, std::abs(found - std::round(found)));
+    }
+    return nearest;
+}
+
+void judge_support(const Answers& answers) {
+    for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
+        if (!answers.has_surface(pixel)) continue;
+        for (size_t light = 0; light < answers.lights; ++light) {
+            const Answer& answer = answers.row(pixel)[light];
+            ASSERT_TRUE(std::isfinite(answer.probability) && answer.probability >= 0.0f)
+                << "pixel " << pixel << " light " << light;
+            ASSERT_TRUE(answer.probability > 0.0f || answer.draws == 0)
+                << "pixel " << pixel << " light " << light;
+        }
+    }
+}
+
+void judge_probabilities(const Answers& answers, const Blanks& blanks) {
+    size_t scored = 0, worst_pixel = 0;
+    double scores = 0.0, worst = 0.0, worst_error = 0.0;
+    for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
+        if (!answers.has_surface(pixel)) continue;
+        const double sum = answers.sum(pixel);
+        ASSERT_LT(sum, 1.0 + 2e-5) << "pixel " << pixel;
+        if (blanks.walk > 0) {
+            EXPECT_LT(impossible(sum, blanks, answers.lights), 2e-5)
+                << "pixel " << pixel << ": probabilities add up to " << sum;
+        }
+        // The walk adds up weights in the same order; a stretched random number costs some digits.
+        EXPECT_LT(answers.errors[pixel], 1e-4f) << "pixel " << pixel;
+        worst_error = std::max(worst_error, static_cast<double>(answers.errors[pixel]));
+
+        Bins bins(draws_per_pixel);
+        for (const Answer& answer : answers.row(pixel).first(answers.lights))
+            bins.add(static_cast<double>(answer.probability), answer.draws);
+        bins.add(std::max(1.0 - sum, 0.0), answers.row(pixel)[answers.lights].draws);
+        const std::optional<double> score = bins.score();
+        if (!score) continue;
+        ++scored;
+        scores += *score;
+        if (std::abs(*score) > std::abs(worst)) {
+            worst = *score;
+            worst_pixel = pixel;
+        }
+    }
+    const double together = scores / std::sqrt(static_cast<double>(std::max<size_t>(scored, 1)));
+    const double pooled = pooled_score(answers, 0.0), found = pooled_score(answers, planted);
+    std::cout << fmt::format(
+        "  {} pixels: chi-square {:+.2f} together, {:+.2f} at the worst, {:+.2f} "
+        "pooled ({:+.1f} with {:.0f}% planted)\n",
+        scored, together, worst, pooled, found, 100.0 * planted);
+    EXPECT_LT(std::abs(together), score_limit);
+    EXPECT_LT(std::abs(worst), score_limit) << "pixel " << worst_pixel;
+    // Fewer draws than pixels' may differ: only too much difference counts.
+    EXPECT_LT(pooled, score_limit);
+    // The test can fail: the same draws against probabilities that are a little off.
+    if (scored > 100 && answers.lights >= 8) {
+        EXPECT_GT(found, score_limit);
+    }
+}
+
+void judge_means(PictureBatches sampled, const PictureBatches& reference, const LightScene& scene) {
+    if (scene.dark) {
+        for (size_t batch = 0; batch < sampled.batches(); ++batch)
+            for (size_t i = 0; i < 3 * sampled.blocks(); ++i)
+                ASSERT_EQ(sampled.value(batch, i % 3, i / 3), 0.0);
+        return;
+    }
+    for (size_t channel = 0; channel < 3; ++channel) {
+        const Comparison seen = compare(sampled, reference, channel);
+        std::cout << fmt::format("  mean {}: {}\n", "RGB"[channel], seen.text());
+        EXPECT_GT(seen.blocks, 2u);
+        EXPECT_TRUE(seen.agrees(score_limit)) << seen.text();
+        EXPECT_LT(score_limit * seen.bias_error, scene.detectable);
+    }
+    sampled.scale(1.0 + 1.5 * scene.detectable);
+    bool found = false;
+    for (size_t channel = 0; channel < 3; ++channel)
+        found |= !compare(sampled, reference, channel).agrees(score_limit);
+    EXPECT_TRUE(found) << "a planted bias went unnoticed";
+}
+
+TEST_P(LightTechniqueTest, KeepsItsPromises) {
+    for (LightScene& scene : light_scenes()) {
+        SCOPED_TRACE(scene.name);
+        bring(scene);
+        std::cout << fmt::format("{}, {} lights\n", scene.name, light_count());
+        const Answers answers = ask();
+        const bool any = std::ranges::any_of(
+            answers.answers, [&](const Answer& answer) { return answer.probability > 0.0f; });
+        if (!renderer().technique()->samples_lights()) {
+            EXPECT_FALSE(any) << "rays find the lights, and draws do not";
+            continue;
+        }
+        judge_support(answers);
+        if (answers.exact) judge_probabilities(answers, GetParam().blanks);
+        EXPECT_TRUE(any || scene.dark);
+        // The first technique's shader makes the reference of all.
+        static std::map<std::string, PictureBatches> references;
+        if (!references.contains(scene.name)) references.emplace(scene.name, reference());
+        judge_means(sampled(), references.at(scene.name), scene);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTechniques, LightTechniqueTest, testing::ValuesIn(technique_settings()),
+                         [](const testing::TestParamInfo<TechniqueSettings>& given) {
+                             return fmt::format("{}_{}", given.param.technique, given.param.label);
+                         });
+
+} // namespace
+} // namespace vigil::test
