@@ -85,7 +85,7 @@ void add_guiding_commands(Client& client) {
     commands.add("guiding",
                  ": memory of octree and light caches, and what they counted in recent frames",
                  [&client](CommandArguments) { guiding(client); });
-    commands.add("guidingreset", ": empties octree and light caches; they learn anew",
+    commands.add("guidingreset", ": forgets what frames taught (octree, caches, shadow statistics)",
                  [&client](CommandArguments) { with_level(client).reset_guiding(); });
     commands.add("vlcinfo", ": the octree's leaf under the crosshair and the lights of its cache",
                  [&client](CommandArguments) { vlcinfo(client); });
