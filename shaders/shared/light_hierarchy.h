@@ -38,15 +38,14 @@ SHADER_FN uint light_node_stride(uint groups) {
 /// Head of a node.
 struct LightNode {
     vec3 origin;
-    vec3 step; // powers of two, map units
+    vec3 step;  // powers of two, map units
     uint inner; // bit i: child i is an inner node
 };
 
 SHADER_FN LightNode light_node(uvec4 head) {
     LightNode node;
     node.origin = uintBitsToFloat(uvec3(head.x, head.y, head.z));
-    node.step =
-        uintBitsToFloat((uvec3(head.w, head.w >> 8u, head.w >> 16u) & uvec3(255u)) << 23u);
+    node.step = uintBitsToFloat((uvec3(head.w, head.w >> 8u, head.w >> 16u) & uvec3(255u)) << 23u);
     node.inner = head.w >> 24u;
     return node;
 }
@@ -64,17 +63,17 @@ SHADER_FN vec4 light_node_energies(uvec4 codes) {
                equal(codes, uvec4(0u)));
 }
 
-/// Mean of max(x, 0) over x in middle - reach .. middle + reach. Positive if any such x is; reach is
-/// at least 0.
+/// Mean of max(x, 0) over x in middle - reach .. middle + reach. Positive if any such x is; reach
+/// is at least 0.
 SHADER_FN vec4 mean_above_zero(vec4 middle, vec4 reach) {
     vec4 top = max(middle + reach, vec4(0.0f));
     vec4 cut = top * top / max(4.0f * reach, vec4(1e-20f));
     return mix(cut, middle, greaterThanEqual(middle, reach));
 }
 
-/// What rounding may do to a signed distance, as a part of the coordinates: 6e-8 in each of a handful of
-/// operations, here and where importance decides whether a light faces a surface; and the angle of 2e-7
-/// that cones leave out.
+/// What rounding may do to a signed distance, as a part of the coordinates: 6e-8 in each of a
+/// handful of operations, here and where importance decides whether a light faces a surface; and
+/// the angle of 2e-7 that cones leave out.
 SHADER_CONST float LIGHT_NODE_SLACK = 1e-6f;
 /// Least importance of a child that may contribute: far above where floats vanish, far below what
 /// any energy (from 2^-63) over any squared distance in a level (to 2^40) gives.
@@ -84,9 +83,9 @@ SHADER_CONST float LIGHT_NODE_LEAST = 1e-33f;
 /// squared map units; in [0, 2e6]. Zero only for children that do not exist, lie wholly below the
 /// horizon of the surface or wholly face away from it.
 ///   energy * mean cosine at the surface * mean cosine at the lights / mean squared distance
-/// with means over the child's box and cone of normals, as if they were filled evenly. Conservative:
-/// what is cut off are boxes below the horizon, exactly, and boxes from which no normal of the cone
-/// sees the surface (exactly where all normals are equal).
+/// with means over the child's box and cone of normals, as if they were filled evenly.
+/// Conservative: what is cut off are boxes below the horizon, exactly, and boxes from which no
+/// normal of the cone sees the surface (exactly where all normals are equal).
 SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, uvec4 word2,
                                       vec3 position, vec3 normal) {
     // Boxes as seen from the surface: middle and half extent.
@@ -133,8 +132,8 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
     vec4 cone_cosine = 2.0f * mean_length - 1.0f;
     vec4 cone_sine = 2.0f * half_sine * sqrt(mean_length);
 
-    // No point of the box is farther than this; no normal of the cone turns more than its sine of it
-    // towards the surface.
+    // No point of the box is farther than this; no normal of the cone turns more than its sine of
+    // it towards the surface.
     vec4 farthest = abs(x) + abs(y) + abs(z) + size_x + size_y + size_z;
     vec4 turned = mix(cone_sine, vec4(2.0f), lessThan(cone_cosine, vec4(0.01f))) * farthest;
     bvec4 above = greaterThan(height + height_reach, vec4(-slack));
@@ -160,8 +159,8 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
 }
 
 /// No child that may contribute is weighed as less than this part of its node's largest: importance
-/// is an estimate, and what it all but excludes would be very bright when drawn. Costs other children at
-/// most 0.2% of their share.
+/// is an estimate, and what it all but excludes would be very bright when drawn. Costs other
+/// children at most 0.2% of their share.
 SHADER_CONST float LIGHT_NODE_DEFENSIVE = 1.0f / 4096.0f;
 
 /// Weights by which children are drawn.

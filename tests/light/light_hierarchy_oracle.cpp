@@ -68,8 +68,7 @@ ChildImportance child_importance(const OracleChild& child, double slack, glm::dv
     const double facing = -glm::dot(child.axis, middle),
                  facing_reach = glm::dot(glm::abs(child.axis), half);
     const double farthest = glm::dot(glm::abs(middle) + half, glm::dvec3(1.0));
-    const double turned =
-        (std::cos(child.angle) < 0.01 ? 2.0 : std::sin(child.angle)) * farthest;
+    const double turned = (std::cos(child.angle) < 0.01 ? 2.0 : std::sin(child.angle)) * farthest;
     const double highest = height + height_reach, foremost = facing + facing_reach + turned;
     ChildImportance result{0.0, std::abs(highest + slack) < 0.4 * slack ||
                                     std::abs(foremost + slack) < 0.4 * slack};
@@ -81,8 +80,8 @@ ChildImportance child_importance(const OracleChild& child, double slack, glm::dv
     const double light_cosine =
         mean_above(mean, std::max(best - mean, 0.0) + facing_reach / distance);
     const double surface_cosine = mean_above(height / distance, height_reach / distance);
-    result.value = std::max(child.energy * light_cosine * surface_cosine / (distance * distance),
-                            1e-33);
+    result.value =
+        std::max(child.energy * light_cosine * surface_cosine / (distance * distance), 1e-33);
     return result;
 }
 
@@ -108,7 +107,8 @@ std::vector<OracleChild> decode_children(const HierarchyWords& words, uint32_t n
         for (uint32_t axis = 0; axis < 3; ++axis) {
             const auto at = static_cast<glm::length_t>(axis);
             child.lower[at] = origin[at] + step[at] * byte_of(words, node, in_group + 4 * axis);
-            child.upper[at] = origin[at] + step[at] * byte_of(words, node, in_group + 12 + 4 * axis);
+            child.upper[at] =
+                origin[at] + step[at] * byte_of(words, node, in_group + 12 + 4 * axis);
         }
         child.axis =
             axis_of(byte_of(words, node, in_group + 24), byte_of(words, node, in_group + 28));
@@ -151,11 +151,11 @@ OracleProbabilities oracle_probabilities(const HierarchyWords& words,
         double slack = 0.0;
         for (uint32_t axis = 0; axis < 3; ++axis)
             slack +=
-                1e-6 * (std::abs(float_of(word_of(words, visit.node, 4 * axis)) -
-                                 position[static_cast<glm::length_t>(axis)]) +
-                        255.0 * std::ldexp(1.0, static_cast<int>(byte_of(words, visit.node,
-                                                                         12 + axis)) -
-                                                    127));
+                1e-6 *
+                (std::abs(float_of(word_of(words, visit.node, 4 * axis)) -
+                          position[static_cast<glm::length_t>(axis)]) +
+                 255.0 * std::ldexp(1.0,
+                                    static_cast<int>(byte_of(words, visit.node, 12 + axis)) - 127));
         std::vector<double> weights;
         double largest = 0.0, sum = 0.0;
         for (const OracleChild& child : children) {
@@ -183,7 +183,8 @@ OracleProbabilities oracle_probabilities(const HierarchyWords& words,
                 if (all > 0.0)
                     result.by_light[id] =
                         probability *
-                        static_cast<double>(shader::ltc_importance(surface, lights[id], true)) / all;
+                        static_cast<double>(shader::ltc_importance(surface, lights[id], true)) /
+                        all;
         }
     }
     return result;

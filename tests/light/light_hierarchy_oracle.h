@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The Light Hierarchy read and walked the plain way: nodes decoded one number at a time, angles with
-// trigonometry, all in double precision, every leaf visited from the root. Shares no code with
+// The Light Hierarchy read and walked the plain way: nodes decoded one number at a time, angles
+// with trigonometry, all in double precision, every leaf visited from the root. Shares no code with
 // shaders/shared/light_hierarchy.h; judges what the host builds and what the GPU draws.
 #pragma once
 

@@ -5,6 +5,7 @@
 // output says. The technique table is the list of what is tested.
 #include "refresh/vkpt/gpu/commands.h"
 #include "render_test.h"
+#include "technique_variations.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,15 +41,14 @@ protected:
         for (const TechniqueInfo& info : technique_infos) {
             if (info.name == "brute") continue;
             set("pt_nee", info.name);
-            // Lists on both sides of the stride; caches of one bucket and of several.
-            for (const char* most : {"32", "4"}) {
-                if (info.name != "sll" && info.name != "vlc" && most[0] == '4') continue;
-                set("pt_sll_max", most);
-                set("pt_vlc_bucket", most);
+            for (const TechniqueVariation& variation : variations_of(info.name)) {
+                for (const auto& [name, value] : variation.variables)
+                    set(name, value);
                 const PictureBatches sampled =
                     batches(shot, sampled_batches, plan.paths * path_factor(), 5000, block);
-                SCOPED_TRACE(fmt::format("{} {} lights at most", info.name, most));
-                judge(fmt::format("{:8} {:>2}", info.name, most), sampled, brute, plan.detectable);
+                SCOPED_TRACE(fmt::format("{} {}", info.name, variation.label));
+                judge(fmt::format("{:8} {:>2}", info.name, variation.label), sampled, brute,
+                      plan.detectable);
             }
         }
     }

@@ -4,8 +4,9 @@
 // light), lights are drawn as often as they say, and a draw brings along the very probability that
 // is computed for it afterwards.
 #include "light/statistics.h"
+#include "light_answers.h"
 #include "render_test.h"
-#include "test_pass.h"
+#include "technique_variations.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -24,33 +25,10 @@ protected:
         set_size(24, 16);
     }
 
-    struct Answers {
-        size_t row = 0; // lights + 1
-        std::vector<float> probabilities, errors;
-        std::vector<uint32_t> draws;
-        std::vector<shader::PrimaryHit> hits;
-    };
-
-    static Answers ask(const Shot& shot, std::string_view technique) {
+    static LightAnswers ask(const Shot& shot, std::string_view technique) {
         set("pt_nee", technique);
         learn(shot, frames_to_learn);
-        const glm::uvec2 size = renderer().path_tracer().size();
-        const size_t pixels = size_t{size.x} * size.y;
-        Answers answers;
-        answers.row = renderer().scene()->lights().lights().size() + 1;
-        TestPass pass(renderer(), fmt::format("light_probability.{}", technique));
-        pass.add_buffer(pixels * answers.row * sizeof(float));
-        pass.add_buffer(pixels * answers.row * sizeof(uint32_t));
-        pass.add_buffer(pixels * sizeof(float));
-        const glm::uvec2 tiles = (size + 7u) / 8u;
-        pass.run({tiles, 1}, {0, 1});
-        pass.run({tiles, draws_per_pixel}, {1, 1});
-        answers.probabilities = pass.read<float>(0, pixels * answers.row);
-        answers.draws = pass.read<uint32_t>(1, pixels * answers.row);
-        answers.errors = pass.read<float>(2, pixels);
-        answers.hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().path_tracer().primary_hits(), 0, pixels);
-        return answers;
+        return ask_lights(renderer(), technique, draws_per_pixel);
     }
 
     /// How many draws find no light, per draw: `part` of them is a whole multiple of one of 1 / 1
@@ -71,7 +49,7 @@ protected:
         return nearest;
     }
 
-    static void judge(const Answers& answers, const Blanks& blanks) {
+    static void judge(const LightAnswers& answers, const Blanks& blanks) {
         size_t lit = 0, worst_pixel = 0;
         double scores = 0.0, worst = 0.0;
         for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
@@ -98,29 +76,11 @@ protected:
             // digits.
             EXPECT_LT(answers.errors[pixel], 1e-4f) << "pixel " << pixel;
 
-            // Bins of at least ten expected draws; the rest together.
-            std::vector<uint64_t> counts{0};
-            std::vector<double> shares{0.0};
-            const auto fill = [&](double share, uint64_t count) {
-                if (share * draws_per_pixel >= 10.0) {
-                    shares.push_back(share);
-                    counts.push_back(count);
-                } else {
-                    shares.front() += share;
-                    counts.front() += count;
-                }
-            };
-            for (size_t light = 0; light + 1 < answers.row; ++light)
-                fill(static_cast<double>(claimed[light]), seen[light]);
-            fill(std::max(1.0 - sum, 0.0), seen[answers.row - 1]);
-            if (shares.front() * draws_per_pixel < 3.0) { // too few for a bin of their own
-                shares[1] += shares.front();
-                counts[1] += counts.front();
-                shares.erase(shares.begin());
-                counts.erase(counts.begin());
-            }
-            if (counts.size() < 2) continue;
-            const double score = chi_square_z(counts, shares);
+            std::vector<double> expected(claimed.begin(), claimed.end());
+            expected.back() = std::max(1.0 - sum, 0.0);
+            const std::optional<double> found = selection_score(expected, seen);
+            if (!found) continue;
+            const double score = *found;
             ++lit;
             scores += score;
             if (std::abs(score) > std::abs(worst)) {
@@ -148,31 +108,36 @@ protected:
     void judge_techniques(const Shot& shot, const std::function<bool(std::string_view)>& wanted) {
         for (const TechniqueInfo& info : technique_infos) {
             if (info.name == "brute" || !wanted(info.name)) continue; // the first draws nothing
-            for (const char* most : {"32", "4"}) {
-                const bool varies = info.name == "sll" || info.name == "vlc";
-                if (!varies && most[0] == '4') continue;
-                SCOPED_TRACE(fmt::format("{} {} lights at most", info.name, most));
-                set("pt_sll_max", most);
-                set("pt_vlc_bucket", most);
-                const Answers answers = ask(shot, info.name);
-                const shader::GuidingWork learned = renderer().guiding().statistics(0);
+            for (const TechniqueVariation& variation : variations_of(info.name)) {
+                SCOPED_TRACE(fmt::format("{} {}", info.name, variation.label));
+                for (const auto& [name, value] : variation.variables)
+                    set(name, value);
+                const LightAnswers answers = ask(shot, info.name);
                 if (info.name == "vlc") {
+                    const shader::GuidingWork learned = renderer().guiding().statistics(0);
                     EXPECT_GT(learned.cached_lights, 2 * learned.cached_leaves);
-                    EXPECT_TRUE(most[0] == '3' ||
+                    EXPECT_TRUE(cvars()->pt_vlc_bucket == 32 ||
                                 learned.cached_buckets > learned.cached_leaves + 20);
                 }
-                const auto lights = static_cast<uint32_t>(answers.row - 1);
-                const auto limit = static_cast<uint32_t>(std::atoi(most));
-                Blanks blanks;
-                // Some starts of a walk with a stride, and some buckets, may hold only lights that
-                // face away.
-                if (info.name == "sll") blanks.starts = (lights + limit - 1) / limit;
-                if (info.name == "vlc") blanks = {1.0 - cvars()->pt_vlc_explore, 16};
-                // A walk through the cluster's list throws away what the cache has.
-                blanks.any = info.name == "vlc" && cvars()->pt_explore_local > 0.0f;
-                judge(answers, blanks);
+                judge(answers, blanks_of(info.name, static_cast<uint32_t>(answers.row - 1)));
             }
         }
+    }
+
+    static Blanks blanks_of(std::string_view technique, uint32_t lights) {
+        if (technique == "uniform" || technique == "power") return {};
+        // Some starts of a walk with a stride may hold only lights that face away.
+        if (technique == "sll") {
+            const auto limit = static_cast<uint32_t>(cvars()->pt_sll_max);
+            return {1.0, (lights + limit - 1) / limit};
+        }
+        // Some buckets, too. A walk through the cluster's list throws away what the cache has.
+        if (technique == "vlc")
+            return {1.0 - static_cast<double>(cvars()->pt_vlc_explore), 16,
+                    cvars()->pt_explore_local > 0.0f};
+        Blanks unknown;
+        unknown.any = true;
+        return unknown;
     }
 };
 

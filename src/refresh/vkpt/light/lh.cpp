@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Technique `lh`: the Light Hierarchy (shaders/light/lh.glsl), built anew in every frame whose lights differ from
-// those of the frame before.
+// Technique `lh`: the Light Hierarchy (shaders/light/lh.glsl), built anew in every frame whose
+// lights differ from those of the frame before.
 #include "common/cvar.h"
 #include "refresh/vkpt/light/growing_buffer.h"
 #include "refresh/vkpt/light/light_hierarchy.h"
@@ -26,8 +26,7 @@ public:
         revision_ = frame.lights.revision();
         options_ = options;
         hierarchy_.build(frame.lights.lights(), options);
-        const std::span<const std::byte> header =
-            std::as_bytes(std::span(&hierarchy_.header(), 1));
+        const std::span<const std::byte> header = std::as_bytes(std::span(&hierarchy_.header(), 1));
         const std::span<const std::byte> places = std::as_bytes(hierarchy_.places());
         std::vector<std::byte> bytes(header.begin(), header.end());
         bytes.insert(bytes.end(), places.begin(), places.end());

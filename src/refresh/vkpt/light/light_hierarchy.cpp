@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Wide nodes breadth-first, so that inner children of a node follow each other. Whatever is rounded is rounded
-// outwards: boxes and cones hold every light below them.
+// Wide nodes breadth-first, so that inner children of a node follow each other. Whatever is rounded
+// is rounded outwards: boxes and cones hold every light below them.
 #include "refresh/vkpt/light/light_hierarchy.h"
 
 #include "shared/octahedral.h"
@@ -63,8 +63,8 @@ struct GroupCode {
     }
 };
 
-/// Exponent (biased) of a power of two whose 255 steps reach over `size` map units; at most twice the
-/// smallest, but for sizes near 0.
+/// Exponent (biased) of a power of two whose 255 steps reach over `size` map units; at most twice
+/// the smallest, but for sizes near 0.
 std::uint32_t step_exponent(double size) {
     constexpr int least = 32, most = 254;
     if (!(size > 0.0)) return least;
@@ -78,9 +78,7 @@ void encode_box(GroupCode& group, std::uint32_t i, const LightTreeNode& child,
                 const glm::vec3& origin, const glm::dvec3& step) {
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const double from = static_cast<double>(origin[axis]);
-        const auto steps = [&](float at) {
-            return (static_cast<double>(at) - from) / step[axis];
-        };
+        const auto steps = [&](float at) { return (static_cast<double>(at) - from) / step[axis]; };
         group.lower[axis][i] = static_cast<std::uint8_t>(std::floor(steps(child.lower[axis])));
         group.upper[axis][i] = static_cast<std::uint8_t>(std::ceil(steps(child.upper[axis])));
     }
@@ -97,7 +95,8 @@ void encode_cone(GroupCode& group, std::uint32_t i, const glm::vec3& normal_sum,
         rounded[axis] = code / 127.0f;
     }
     const glm::vec3 axis = shader::octahedral_decode(rounded * 0.5f + 0.5f);
-    // The chord between unit vectors is twice the sine of half the angle: as exact for small angles.
+    // The chord between unit vectors is twice the sine of half the angle: as exact for small
+    // angles.
     float widest = 0.0f;
     for (const TreeLight& light : lights) {
         const glm::vec3 chord = light.normal - axis;
@@ -105,10 +104,10 @@ void encode_cone(GroupCode& group, std::uint32_t i, const glm::vec3& normal_sum,
     }
     // Angles that the walk's own slack covers count as none: walls and ceilings stay exact.
     const float half_sine = 0.5f * widest;
-    group.half_sine[i] =
-        half_sine <= 1e-7f
-            ? std::uint8_t{0}
-            : static_cast<std::uint8_t>(std::clamp(std::ceil(half_sine * 255.0f + 0.25f), 1.0f, 255.0f));
+    group.half_sine[i] = half_sine <= 1e-7f
+                             ? std::uint8_t{0}
+                             : static_cast<std::uint8_t>(
+                                   std::clamp(std::ceil(half_sine * 255.0f + 0.25f), 1.0f, 255.0f));
 }
 
 /// Energy as a part of the node's largest, as light_node_energies reads it; never 0.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The Light Hierarchy as the GPU reads it (shaders/shared/light_hierarchy.h, shaders/light/lh.glsl): the
-// binary tree of light_tree.h collapsed to wide nodes, each compressed into 64 or 128 bytes. Data only; the
-// technique `lh` owns the buffers.
+// The Light Hierarchy as the GPU reads it (shaders/shared/light_hierarchy.h,
+// shaders/light/lh.glsl): the binary tree of light_tree.h collapsed to wide nodes, each compressed
+// into 64 or 128 bytes. Data only; the technique `lh` owns the buffers.
 #pragma once
 
 #include "refresh/vkpt/light/light_tree.h"
@@ -17,8 +17,8 @@ struct LightHierarchyOptions {
 
 class LightHierarchy {
 public:
-    /// Builds the hierarchy over the lights that can light anything; their index is their id. Memory is
-    /// kept from call to call.
+    /// Builds the hierarchy over the lights that can light anything; their index is their id.
+    /// Memory is kept from call to call.
     void build(std::span<const shader::Light> lights, const LightHierarchyOptions& options);
 
     const shader::LightHierarchyHeader& header() const { return header_; }

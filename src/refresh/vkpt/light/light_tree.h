@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A binary tree over the lights of a frame by the surface area orientation heuristic of Conty Estevez and
-// Kulla 2018, binned (Wald 2007): near lights of like orientation share a subtree. Knows nothing of how
-// nodes are stored for the GPU (light_hierarchy.h) or walked.
+// A binary tree over the lights of a frame by the surface area orientation heuristic of Conty
+// Estevez and Kulla 2018, binned (Wald 2007): near lights of like orientation share a subtree.
+// Knows nothing of how nodes are stored for the GPU (light_hierarchy.h) or walked.
 #pragma once
 
 #include "shared/scene_types.h"
@@ -13,20 +13,23 @@
 
 namespace vigil {
 
-/// A light as the tree sorts it: only those that can light something are in it.
-struct TreeLight {
-    glm::vec3 lower, upper; // box around the triangle: every corner lies inside, rounding included
-    glm::vec3 normal;       // unit, of the lit side
-    float normal_error;     // radians: how far single precision may see the normal elsewhere
-    float energy;           // light_power, in (0, 1e30]
+/// A light as the tree sorts it: only those that can light something are in it. Three rows of four
+/// floats, which the build handles as wholes.
+struct alignas(16) TreeLight {
+    glm::vec3 lower;    // box around the triangle: every corner lies inside, rounding included
+    float normal_error; // radians: how far single precision may see the normal elsewhere
+    glm::vec3 upper;
+    float unused;
+    glm::vec3 normal; // unit, of the lit side
+    float energy;     // light_power, in (0, 1e30]
     std::uint32_t id;
 };
 
 struct LightTreeNode {
-    glm::vec3 lower, upper; // box around the lights
-    glm::vec3 normal_sum;   // of the lights' normals
-    float energy;           // sum over the lights
-    float measure;          // energy (as a part of all) * area * solid angle: the heuristic
+    glm::vec3 lower, upper;     // box around the lights
+    glm::vec3 normal_sum;       // of the lights' normals
+    float energy;               // sum over the lights
+    float measure;              // energy (as a part of all) * area * solid angle: the heuristic
     std::uint32_t first, count; // lights of this subtree: first .. first + count - 1
     std::uint32_t right;        // second child; the first one follows its parent. 0: a leaf
 };
@@ -34,9 +37,9 @@ struct LightTreeNode {
 class LightTree {
 public:
     /// Sorts the lights into a tree whose leaves hold at most `leaf_size` (at least 1). Lights that
-    /// are dark, have no area or are not finite are left out. No path has more than 64 + 17 nodes for
-    /// 100,000 lights (in general, 64 and the logarithm of their number). The same lights give the
-    /// same tree. Memory is kept from call to call.
+    /// are dark, have no area or are not finite are left out. No path has more than 64 + 17 nodes
+    /// for 100,000 lights (in general, 64 and the logarithm of their number). The same lights give
+    /// the same tree. Memory is kept from call to call.
     void build(std::span<const shader::Light> lights, std::uint32_t leaf_size);
 
     std::span<const TreeLight> lights() const { return lights_; }
