@@ -13,13 +13,16 @@
 SHADER_BEGIN
 
 // A node is a head and one or two groups of four children, in words of 4 x 32 bits: 4 words, 64
-// bytes, for up to four children, else 8 words, 128 bytes, of which the last is unused.
+// bytes, for up to four children, else 8 words, 128 bytes, of which the last is unused. A group has
+// one byte of each number for each of its children.
 //   head     x y z: lower corner of the box around all children; w: exponents of the three
 //            quantisation steps (a byte each), and a byte with one bit for each inner child
-//   group, word 0  lower bounds x, y, z and upper bounds x of the children in steps, a byte each
-//          word 1  upper bounds y, z; cone axes on the octahedron: x, y in 1 / 127 above -127
-//          word 2  sine of half the cones' angle in 1 / 255; energies (two words of two);
-//                  number of the first inner child (group 0 only): inner children follow each other
+//   group, word 0  middles of the children's boxes x, y, z in steps from the corner;
+//                  their half extents x in half steps
+//          word 1  half extents y, z; cone axes x, y in 1 / 127, signed
+//          word 2  cone axes z; largest distance of a normal from the axis in 1 / 127;
+//                  energies, see below; number of the first inner child, after which the
+//                  others follow (of the whole node, in group 0)
 
 /// What all nodes of a hierarchy have in common.
 struct LightHierarchyHeader {
@@ -55,103 +58,89 @@ SHADER_FN vec4 light_node_bytes(uint word) {
     // Signed conversion is one instruction on CPUs, unsigned is several.
     return vec4(ivec4((uvec4(word) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u)));
 }
-
-/// Energies are relative to the largest of a node: 6 bits exponent (2^-63 to 1), 10 bits mantissa;
-/// 0: there is no such child.
-SHADER_FN vec4 light_node_energies(uvec4 codes) {
-    return mix(uintBitsToFloat((codes << 13u) + uvec4(64u << 23u)), vec4(0.0f),
-               equal(codes, uvec4(0u)));
+SHADER_FN vec4 light_node_signed_bytes(uint word) {
+    return vec4(ivec4(uvec4(word) << uvec4(24u, 16u, 8u, 0u)) >> 24);
 }
 
-/// Mean of max(x, 0) over x in middle - reach .. middle + reach. Positive if any such x is; reach
-/// is at least 0.
-SHADER_FN vec4 mean_above_zero(vec4 middle, vec4 reach) {
-    vec4 top = max(middle + reach, vec4(0.0f));
-    vec4 cut = top * top / max(4.0f * reach, vec4(1e-20f));
-    return mix(cut, middle, greaterThanEqual(middle, reach));
+/// Energies are relative to the largest of a node: 6 bits exponent (from 2^-63 to 1) and 2 bits
+/// mantissa, of the energy + 2^-63. Off by at most 1/8 from 2^-60 on; 0: there is no such child.
+SHADER_FN vec4 light_node_energies(uint word) {
+    uvec4 codes = (uvec4(word) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u);
+    return uintBitsToFloat((codes << 21u) + uvec4(64u << 23u)) - uintBitsToFloat(64u << 23u);
 }
 
 /// What rounding may do to a signed distance, as a part of the coordinates: 6e-8 in each of a
 /// handful of operations, here and where importance decides whether a light faces a surface; and
 /// the angle of 2e-7 that cones leave out.
 SHADER_CONST float LIGHT_NODE_SLACK = 1e-6f;
-/// Least importance of a child that may contribute: far above where floats vanish, far below what
-/// any energy (from 2^-63) over any squared distance in a level (to 2^40) gives.
-SHADER_CONST float LIGHT_NODE_LEAST = 1e-33f;
+/// Least squared distance, and least importance of a child that may contribute: no quotient of what
+/// follows overflows, and none vanishes. Distances are parts of the farthest in the node.
+SHADER_CONST float LIGHT_NODE_NEAREST = 1e-8f;
+SHADER_CONST float LIGHT_NODE_LEAST = 1e-30f;
 
-/// What each of four children may add to a surface, in the unit of the node's largest energy over
-/// squared map units; in [0, 2e6]. Zero only for children that do not exist, lie wholly below the
-/// horizon of the surface or wholly face away from it.
+/// A mean of max(x, 0) over x in middle - reach .. middle + reach, times 4 * reach where 0 is in
+/// that interval; light_mean_divisor is what it has to be divided by.
+SHADER_FN vec4 light_mean_dividend(vec4 middle, vec4 reach) {
+    vec4 top = max(middle + reach, vec4(0.0f));
+    return mix(top * top, middle, greaterThanEqual(middle, reach));
+}
+SHADER_FN vec4 light_mean_divisor(vec4 middle, vec4 reach) {
+    return mix(4.0f * max(reach, vec4(1e-7f)), vec4(1.0f), greaterThanEqual(middle, reach));
+}
+
+/// What each of four children may add to a surface, in a unit of the node's; in [0, 1e31]. Zero
+/// only for children that do not exist, lie wholly below the horizon of the surface or wholly face
+/// away from it.
 ///   energy * mean cosine at the surface * mean cosine at the lights / mean squared distance
-/// with means over the child's box and cone of normals, as if they were filled evenly.
-/// Conservative: what is cut off are boxes below the horizon, exactly, and boxes from which no
-/// normal of the cone sees the surface (exactly where all normals are equal).
+/// with means over the child's box and cone of normals, as if they were filled evenly (the cone's
+/// by rule of thumb). Conservative: what is cut off are boxes below the horizon, exactly, and boxes
+/// from which no normal of the cone sees the surface (exactly where all normals are equal).
 SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, uvec4 word2,
                                       vec3 position, vec3 normal) {
-    // Boxes as seen from the surface: middle and half extent.
+    // Boxes as seen from the surface: middle and half extent, as parts of the farthest coordinates.
     vec3 offset = node.origin - position;
-    vec3 half_step = 0.5f * node.step;
-    vec4 lower_x = light_node_bytes(word0.x);
-    vec4 lower_y = light_node_bytes(word0.y);
-    vec4 lower_z = light_node_bytes(word0.z);
-    vec4 upper_x = light_node_bytes(word0.w);
-    vec4 upper_y = light_node_bytes(word1.x);
-    vec4 upper_z = light_node_bytes(word1.y);
-    vec4 x = (lower_x + upper_x) * half_step.x + offset.x;
-    vec4 y = (lower_y + upper_y) * half_step.y + offset.y;
-    vec4 z = (lower_z + upper_z) * half_step.z + offset.z;
-    vec4 size_x = (upper_x - lower_x) * half_step.x;
-    vec4 size_y = (upper_y - lower_y) * half_step.y;
-    vec4 size_z = (upper_z - lower_z) * half_step.z;
+    vec3 step = node.step;
+    float unit = 1.0f / (abs(offset.x) + abs(offset.y) + abs(offset.z) +
+                         255.0f * (step.x + step.y + step.z));
+    offset *= unit;
+    step *= unit;
+    vec4 x = light_node_bytes(word0.x) * step.x + offset.x;
+    vec4 y = light_node_bytes(word0.y) * step.y + offset.y;
+    vec4 z = light_node_bytes(word0.z) * step.z + offset.z;
+    vec4 size_x = light_node_bytes(word0.w) * (0.5f * step.x);
+    vec4 size_y = light_node_bytes(word1.x) * (0.5f * step.y);
+    vec4 size_z = light_node_bytes(word1.y) * (0.5f * step.z);
     vec4 squared = x * x + y * y + z * z +
                    (size_x * size_x + size_y * size_y + size_z * size_z) * (1.0f / 3.0f);
-    vec4 inverse = inversesqrt(max(squared, vec4(1e-6f)));
-    float slack = LIGHT_NODE_SLACK * (abs(offset.x) + abs(offset.y) + abs(offset.z) +
-                                      255.0f * (node.step.x + node.step.y + node.step.z));
+    squared = max(squared, vec4(LIGHT_NODE_NEAREST));
 
     // The surface: heights above its horizon.
-    vec3 extent = abs(normal);
     vec4 height = normal.x * x + normal.y * y + normal.z * z;
-    vec4 height_reach = extent.x * size_x + extent.y * size_y + extent.z * size_z;
+    vec4 height_reach = abs(normal.x) * size_x + abs(normal.y) * size_y + abs(normal.z) * size_z;
 
     // The lights: distance in front of the plane across the cone's axis.
-    vec4 axis_x = (light_node_bytes(word1.z) - 127.0f) * (1.0f / 127.0f);
-    vec4 axis_y = (light_node_bytes(word1.w) - 127.0f) * (1.0f / 127.0f);
-    vec4 axis_z = 1.0f - abs(axis_x) - abs(axis_y);
-    vec4 fold = max(-axis_z, vec4(0.0f));
-    axis_x -= fold * sign(axis_x);
-    axis_y -= fold * sign(axis_y);
-    vec4 shorten = inversesqrt(axis_x * axis_x + axis_y * axis_y + axis_z * axis_z);
-    vec4 facing = -shorten * (axis_x * x + axis_y * y + axis_z * z);
+    vec4 axis_x = light_node_signed_bytes(word1.z);
+    vec4 axis_y = light_node_signed_bytes(word1.w);
+    vec4 axis_z = light_node_signed_bytes(word2.x);
+    vec4 facing = (axis_x * x + axis_y * y + axis_z * z) * (-1.0f / 127.0f);
     vec4 facing_reach =
-        shorten * (abs(axis_x) * size_x + abs(axis_y) * size_y + abs(axis_z) * size_z);
-
-    // The cone of normals: cosine and sine of its half angle, and the length of their mean.
-    vec4 half_sine = light_node_bytes(word2.x) * (1.0f / 255.0f);
-    vec4 mean_length = 1.0f - half_sine * half_sine;
-    vec4 cone_cosine = 2.0f * mean_length - 1.0f;
-    vec4 cone_sine = 2.0f * half_sine * sqrt(mean_length);
-
-    // No point of the box is farther than this; no normal of the cone turns more than its sine of
-    // it towards the surface.
+        (abs(axis_x) * size_x + abs(axis_y) * size_y + abs(axis_z) * size_z) * (1.0f / 127.0f);
+    // No normal of the cone turns more than its distance from the axis towards the surface, for a
+    // point at distance 1; no point of the box is farther than this.
+    vec4 spread = light_node_bytes(word2.y) * (1.0f / 127.0f);
     vec4 farthest = abs(x) + abs(y) + abs(z) + size_x + size_y + size_z;
-    vec4 turned = mix(cone_sine, vec4(2.0f), lessThan(cone_cosine, vec4(0.01f))) * farthest;
-    bvec4 above = greaterThan(height + height_reach, vec4(-slack));
-    bvec4 towards = greaterThan(facing + facing_reach + turned, vec4(-slack));
+    vec4 turned = spread * farthest;
+    bvec4 above = greaterThan(height + height_reach, vec4(-LIGHT_NODE_SLACK));
+    bvec4 towards = greaterThan(facing + facing_reach + turned, vec4(-LIGHT_NODE_SLACK));
 
-    vec4 cosine = clamp(facing * inverse, vec4(-1.0f), vec4(1.0f));
-    vec4 sine = sqrt(max(1.0f - cosine * cosine, vec4(0.0f)));
-    // Of the normal that is turned most towards the surface.
-    vec4 best = mix(cosine * cone_cosine + sine * cone_sine, vec4(1.0f),
-                    greaterThanEqual(cosine, cone_cosine));
-    vec4 mean = cosine * mean_length;
-    vec4 light_cosine =
-        mean_above_zero(mean, max(best - mean, vec4(0.0f)) + facing_reach * inverse);
-    vec4 surface_cosine = mean_above_zero(height * inverse, height_reach * inverse);
-
-    vec4 energies = light_node_energies(
-        uvec4(word2.y & 0xffffu, word2.y >> 16u, word2.z & 0xffffu, word2.z >> 16u));
-    vec4 importance = energies * surface_cosine * light_cosine * inverse * inverse;
+    // The mean normal of an evenly filled cone has this part of the length.
+    vec4 mean = facing * (1.0f - 0.25f * spread * spread);
+    vec4 mean_reach = facing_reach + 0.4f * turned;
+    vec4 energies = light_node_energies(word2.z);
+    vec4 importance = energies * light_mean_dividend(height, height_reach) *
+                      light_mean_dividend(mean, mean_reach) /
+                      (light_mean_divisor(height, height_reach) *
+                       light_mean_divisor(mean, mean_reach) * (squared * squared));
     importance = max(importance, vec4(LIGHT_NODE_LEAST));
     importance = mix(vec4(0.0f), importance, above);
     importance = mix(vec4(0.0f), importance, towards);
@@ -163,7 +152,7 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
 /// children at most 0.2% of their share.
 SHADER_CONST float LIGHT_NODE_DEFENSIVE = 1.0f / 4096.0f;
 
-/// Weights by which children are drawn.
+/// Weights by which children are drawn; those of group 1 are 0 if there is none.
 struct LightNodeWeights {
     vec4 group0;
     vec4 group1;
@@ -181,8 +170,10 @@ SHADER_FN LightNodeWeights light_node_weights(vec4 importance0, vec4 importance1
 }
 
 SHADER_FN float light_node_sum(LightNodeWeights weights) {
-    vec4 both = weights.group0 + weights.group1;
-    return (both.x + both.y) + (both.z + both.w);
+    vec4 first = weights.group0;
+    vec4 second = weights.group1;
+    return ((first.x + first.y) + (first.z + first.w)) +
+           ((second.x + second.y) + (second.z + second.w));
 }
 
 SHADER_FN float light_node_weight(LightNodeWeights weights, uint child) {
@@ -194,35 +185,38 @@ struct LightNodeChoice {
     uint child;
     float weight; // its own
     float below;  // sum of the weights before it
-    float passed; // sum of the weights seen so far
 };
 
-SHADER_FN void light_node_pass(INOUT(LightNodeChoice) choice, uint child, float weight,
+SHADER_FN void light_node_pass(INOUT(LightNodeChoice) choice, uint child, float weight, float below,
                                float target) {
-    if (weight > 0.0f && choice.passed <= target) {
+    if (weight > 0.0f && below <= target) {
         choice.child = child;
         choice.weight = weight;
-        choice.below = choice.passed;
+        choice.below = below;
     }
-    choice.passed += weight;
 }
 
 /// `target` is a random number in [0, 1) times the sum of the weights, which is positive. Never
 /// draws a child of weight 0, whatever the rounding.
 SHADER_FN LightNodeChoice light_node_choose(LightNodeWeights weights, float target) {
+    vec4 first = weights.group0;
+    float sum = (first.x + first.y) + (first.z + first.w);
+    vec4 second = weights.group1;
+    bool in_second = sum <= target && max(max(second.x, second.y), max(second.z, second.w)) > 0.0f;
+    vec4 group = in_second ? second : first;
+    float below = in_second ? sum : 0.0f;
     LightNodeChoice choice;
     choice.child = 0u;
     choice.weight = 0.0f;
     choice.below = 0.0f;
-    choice.passed = 0.0f;
-    light_node_pass(choice, 0u, weights.group0.x, target);
-    light_node_pass(choice, 1u, weights.group0.y, target);
-    light_node_pass(choice, 2u, weights.group0.z, target);
-    light_node_pass(choice, 3u, weights.group0.w, target);
-    light_node_pass(choice, 4u, weights.group1.x, target);
-    light_node_pass(choice, 5u, weights.group1.y, target);
-    light_node_pass(choice, 6u, weights.group1.z, target);
-    light_node_pass(choice, 7u, weights.group1.w, target);
+    light_node_pass(choice, 0u, group.x, below, target);
+    below += group.x;
+    light_node_pass(choice, 1u, group.y, below, target);
+    below += group.y;
+    light_node_pass(choice, 2u, group.z, below, target);
+    below += group.z;
+    light_node_pass(choice, 3u, group.w, below, target);
+    choice.child += in_second ? 4u : 0u;
     return choice;
 }
 

@@ -8,8 +8,6 @@ namespace vigil::test {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Byte `number` of a node, counted from its first.
 uint32_t byte_of(const HierarchyWords& words, uint32_t node, uint32_t number) {
     const uint32_t bytes_of_node = words.header.groups == 1 ? 64 : 128;
@@ -32,17 +30,12 @@ double float_of(uint32_t bits) {
 }
 
 double energy_of(uint32_t code) {
-    return std::ldexp(1.0 + (code & 1023) / 1024.0, static_cast<int>(code >> 10) - 63);
+    return std::ldexp(1.0 + (code & 3) / 4.0, static_cast<int>(code >> 2) - 63) -
+           std::ldexp(1.0, -63);
 }
 
-glm::dvec3 axis_of(uint32_t x, uint32_t y) {
-    const double a = (x - 127.0) / 127.0, b = (y - 127.0) / 127.0;
-    const double z = 1.0 - std::abs(a) - std::abs(b);
-    glm::dvec3 axis(a, b, z);
-    if (z < 0.0)
-        axis = {(1.0 - std::abs(b)) * (a < 0.0 ? -1.0 : 1.0),
-                (1.0 - std::abs(a)) * (b < 0.0 ? -1.0 : 1.0), z};
-    return glm::normalize(axis);
+double signed_byte(uint32_t byte) {
+    return byte < 128 ? byte : byte - 256.0;
 }
 
 /// Mean of max(x, 0) over an interval.
@@ -57,31 +50,29 @@ struct ChildImportance {
     bool doubtful;
 };
 
-ChildImportance child_importance(const OracleChild& child, double slack, glm::dvec3 position,
+/// `reach`: no coordinate in the node is larger.
+ChildImportance child_importance(const OracleChild& child, double reach, glm::dvec3 position,
                                  glm::dvec3 normal) {
     const glm::dvec3 middle = 0.5 * (child.lower + child.upper) - position;
     const glm::dvec3 half = 0.5 * (child.upper - child.lower);
-    const double distance =
-        std::sqrt(std::max(glm::dot(middle, middle) + glm::dot(half, half) / 3.0, 1e-6));
+    const double squared =
+        std::max(glm::dot(middle, middle) + glm::dot(half, half) / 3.0, 1e-8 * reach * reach);
 
     const double height = glm::dot(normal, middle), height_reach = glm::dot(glm::abs(normal), half);
     const double facing = -glm::dot(child.axis, middle),
                  facing_reach = glm::dot(glm::abs(child.axis), half);
     const double farthest = glm::dot(glm::abs(middle) + half, glm::dvec3(1.0));
-    const double turned = (std::cos(child.angle) < 0.01 ? 2.0 : std::sin(child.angle)) * farthest;
+    const double turned = child.spread * farthest;
+    const double slack = 1e-6 * reach;
     const double highest = height + height_reach, foremost = facing + facing_reach + turned;
     ChildImportance result{0.0, std::abs(highest + slack) < 0.4 * slack ||
                                     std::abs(foremost + slack) < 0.4 * slack};
     if (highest <= -slack || foremost <= -slack) return result;
 
-    const double between = std::acos(std::clamp(facing / distance, -1.0, 1.0));
-    const double best = std::cos(std::max(0.0, between - child.angle));
-    const double mean = std::cos(between) * (1.0 + std::cos(child.angle)) / 2.0;
-    const double light_cosine =
-        mean_above(mean, std::max(best - mean, 0.0) + facing_reach / distance);
-    const double surface_cosine = mean_above(height / distance, height_reach / distance);
-    result.value =
-        std::max(child.energy * light_cosine * surface_cosine / (distance * distance), 1e-33);
+    const double mean = facing * (1.0 - child.spread * child.spread / 4.0);
+    result.value = std::max(child.energy * mean_above(height, height_reach) *
+                                mean_above(mean, facing_reach + 0.4 * turned) / (squared * squared),
+                            1e-30 / (reach * reach));
     return result;
 }
 
@@ -99,20 +90,19 @@ std::vector<OracleChild> decode_children(const HierarchyWords& words, uint32_t n
     uint32_t next_inner = word_of(words, node, 60);
     std::vector<OracleChild> children;
     for (uint32_t i = 0; i < slots; ++i) {
-        const uint32_t group = 16 + 48 * (i / 4), in_group = group + i % 4;
-        const uint32_t energy = byte_of(words, node, group + 36 + 2 * (i % 4)) |
-                                byte_of(words, node, group + 37 + 2 * (i % 4)) << 8;
+        const uint32_t in_group = 16 + 48 * (i / 4) + i % 4;
+        const uint32_t energy = byte_of(words, node, in_group + 40);
         if (energy == 0) continue;
         OracleChild child;
         for (uint32_t axis = 0; axis < 3; ++axis) {
             const auto at = static_cast<glm::length_t>(axis);
-            child.lower[at] = origin[at] + step[at] * byte_of(words, node, in_group + 4 * axis);
-            child.upper[at] =
-                origin[at] + step[at] * byte_of(words, node, in_group + 12 + 4 * axis);
+            const double middle = byte_of(words, node, in_group + 4 * axis);
+            const double half = 0.5 * byte_of(words, node, in_group + 12 + 4 * axis);
+            child.lower[at] = origin[at] + step[at] * (middle - half);
+            child.upper[at] = origin[at] + step[at] * (middle + half);
+            child.axis[at] = signed_byte(byte_of(words, node, in_group + 24 + 4 * axis)) / 127.0;
         }
-        child.axis =
-            axis_of(byte_of(words, node, in_group + 24), byte_of(words, node, in_group + 28));
-        child.angle = 2.0 * std::asin(byte_of(words, node, in_group + 32) / 255.0);
+        child.spread = byte_of(words, node, in_group + 36) / 127.0;
         child.energy = energy_of(energy);
         child.inner = (inner >> i & 1u) != 0;
         child.node = child.inner ? next_inner++ : 0;
@@ -147,19 +137,18 @@ OracleProbabilities oracle_probabilities(const HierarchyWords& words,
         const Visit visit = visits.back();
         visits.pop_back();
         const std::vector<OracleChild> children = decode_children(words, visit.node);
-        // The rounding that shaders grant themselves: a millionth of the coordinates.
-        double slack = 0.0;
-        for (uint32_t axis = 0; axis < 3; ++axis)
-            slack +=
-                1e-6 *
-                (std::abs(float_of(word_of(words, visit.node, 4 * axis)) -
-                          position[static_cast<glm::length_t>(axis)]) +
-                 255.0 * std::ldexp(1.0,
-                                    static_cast<int>(byte_of(words, visit.node, 12 + axis)) - 127));
+        double reach = 0.0;
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+            const double step =
+                std::ldexp(1.0, static_cast<int>(byte_of(words, visit.node, 12 + axis)) - 127);
+            reach += std::abs(float_of(word_of(words, visit.node, 4 * axis)) -
+                              position[static_cast<glm::length_t>(axis)]) +
+                     255.0 * step;
+        }
         std::vector<double> weights;
         double largest = 0.0, sum = 0.0;
         for (const OracleChild& child : children) {
-            const ChildImportance importance = child_importance(child, slack, position, normal);
+            const ChildImportance importance = child_importance(child, reach, position, normal);
             result.doubtful |= importance.doubtful;
             weights.push_back(importance.value);
             largest = std::max(largest, importance.value);

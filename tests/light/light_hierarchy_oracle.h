@@ -23,8 +23,8 @@ struct HierarchyWords {
 
 struct OracleChild {
     glm::dvec3 lower, upper; // box
-    glm::dvec3 axis;         // of the cone of normals, unit
-    double angle;            // half angle of the cone
+    glm::dvec3 axis;         // of the cone of normals, about 1 long
+    double spread;           // distance of its normals from the axis
     double energy;           // relative to the largest of the node
     bool inner;
     uint32_t node;   // of an inner child

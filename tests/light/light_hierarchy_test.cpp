@@ -76,13 +76,12 @@ std::vector<Light> same_lights(uint32_t count) {
     return std::vector<Light>(count, {{5, 6, 7}, {1, 0, 0}, {0, 1, 0}, {1, 2, 3}});
 }
 
-/// Each half as far as the one before: cuts by area take off one at a time.
-std::vector<Light> nested_lights() {
+/// Each so much nearer to the origin than the one before: cuts by area take off a few at a time.
+std::vector<Light> nested_lights(float first, float ratio) {
     std::vector<Light> lights;
-    for (int i = 0; i < 250; ++i) {
-        const float at = std::ldexp(1.0f, 100 - i);
+    float at = first;
+    for (int i = 0; i < 250; ++i, at *= ratio)
         lights.push_back({{at, 0, 0}, {0, 0.1f * at, 0}, {0, 0, 0.1f * at}, glm::vec3(1.0f)});
-    }
     return lights;
 }
 
@@ -119,7 +118,7 @@ std::vector<Scene> scenes() {
     all.push_back({"hall", lamps_in_a_hall(700)});
     all.push_back({"wild", wild_lights(500)});
     all.push_back({"same", same_lights(300)});
-    all.push_back({"nested", nested_lights()});
+    all.push_back({"nested", nested_lights(8192.0f, 0.93f)});
     all.push_back({"dead", dead_lights()});
     return all;
 }
@@ -213,10 +212,10 @@ TEST_P(LightHierarchyOf, HoldsItsLightsInBoxesAndCones) {
                         ASSERT_TRUE(glm::all(glm::lessThanEqual(child.lower, corner)));
                         ASSERT_TRUE(glm::all(glm::greaterThanEqual(child.upper, corner)));
                     }
-                    // Shaders leave out angles of 2e-7; see LIGHT_NODE_SLACK.
-                    const double angle =
-                        2.0 * std::asin(std::min(0.5 * glm::length(normal - child.axis), 1.0));
-                    ASSERT_LE(angle, child.angle + 2e-7) << "light " << id << " level " << level;
+                    // Shaders leave out 2e-7; see LIGHT_NODE_SLACK.
+                    const double away = glm::length(normal - glm::normalize(child.axis));
+                    ASSERT_LE(away, child.spread + 2e-7) << "light " << id << " level " << level;
+                    ASSERT_NEAR(glm::length(child.axis), 1.0, 0.01);
                     ASSERT_GT(child.energy, 0.0);
                     ASSERT_LE(child.energy, 1.0);
                     energy_below = child.energy;
@@ -297,7 +296,7 @@ TEST_P(LightHierarchyOf, ReachesWhateverCanContribute) {
             }
         }
         if (words.header.light_count > 7) {
-            EXPECT_GT(contributing, 500u);
+            EXPECT_GT(contributing, 200u);
         }
     }
 }
@@ -446,10 +445,11 @@ TEST(LightHierarchy, StaysShallowForManyLights) {
 
 TEST(LightHierarchy, DepthIsBoundedForTheWorstLights) {
     LightHierarchy hierarchy;
-    for (const std::vector<Light>& lights : {nested_lights(), same_lights(100000)}) {
+    for (const std::vector<Light>& lights : {nested_lights(1e30f, 0.5f), same_lights(100000)}) {
         hierarchy.build(lights, {2, 1});
         const auto [deepest, mean] = depth_of(words_of(hierarchy));
         EXPECT_LE(deepest, 64u + 17u);
+        EXPECT_LE(mean, deepest);
     }
 }
 
@@ -474,9 +474,9 @@ TEST(LightHierarchy, LightsOfALeafAreNeighbours) {
     EXPECT_LT(static_cast<double>(passed), 1.6 * 50000 * std::log2(50000.0));
 }
 
-TEST(LightHierarchy, EnergiesKeepThreeDigits) {
-    for (int exponent = -62; exponent <= 0; ++exponent) {
-        const float energy = std::ldexp(1.37f, exponent) * (exponent == 0 ? 0.7f : 1.0f);
+TEST(LightHierarchy, EnergiesAreRightToAnEighth) {
+    for (int step = 0; step <= 240; ++step) {
+        const float energy = std::exp2(-0.25f * static_cast<float>(step));
         const float tiny = std::ldexp(1.0f, -100);
         // Lights in one place, which share a node: one has an energy of 1.
         std::vector<Light> lights = same_lights(3);
@@ -488,11 +488,9 @@ TEST(LightHierarchy, EnergiesKeepThreeDigits) {
         hierarchy.build(lights, {8, 1});
         for (const OracleChild& child : decode_children(words_of(hierarchy), 0)) {
             const uint32_t id = lights_of_leaf(words_of(hierarchy), child)[0];
-            const double expected[] = {1.0, static_cast<double>(energy), std::ldexp(1.0, -63)};
-            EXPECT_NEAR(child.energy / expected[id], 1.0,
-                        id == 0   ? 0.0
-                        : id == 1 ? 5.1e-4
-                                  : 1.1e-3);
+            // What is smaller than that is not lost.
+            const double expected[] = {1.0, static_cast<double>(energy), std::ldexp(1.0, -65)};
+            EXPECT_NEAR(child.energy / expected[id], 1.0, id == 1 ? 0.126 : 1e-6);
         }
     }
 }

@@ -3,8 +3,6 @@
 // is rounded outwards: boxes and cones hold every light below them.
 #include "refresh/vkpt/light/light_hierarchy.h"
 
-#include "shared/octahedral.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -46,30 +44,26 @@ Children open_children(std::span<const LightTreeNode> nodes, std::uint32_t root,
 
 /// Bytes of a group of four children, gathered child by child.
 struct GroupCode {
-    std::array<std::array<std::uint8_t, 4>, 3> lower{}, upper{};
-    std::array<std::array<std::uint8_t, 4>, 2> axis{};
-    std::array<std::uint8_t, 4> half_sine{};
-    std::array<std::uint16_t, 4> energy{};
+    using Bytes = std::array<std::uint8_t, 4>;
+    std::array<Bytes, 3> middle{}, half{}, axis{};
+    Bytes spread{}, energy{};
 
-    static std::uint32_t word(const std::array<std::uint8_t, 4>& bytes) {
-        return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
-               std::uint32_t{bytes[3]} << 24;
-    }
+    static std::uint32_t word(const Bytes& bytes) { return std::bit_cast<std::uint32_t>(bytes); }
     void write(std::span<glm::uvec4> words, std::uint32_t first_inner) const {
-        words[0] = {word(lower[0]), word(lower[1]), word(lower[2]), word(upper[0])};
-        words[1] = {word(upper[1]), word(upper[2]), word(axis[0]), word(axis[1])};
-        words[2] = {word(half_sine), energy[0] | std::uint32_t{energy[1]} << 16,
-                    energy[2] | std::uint32_t{energy[3]} << 16, first_inner};
+        words[0] = {word(middle[0]), word(middle[1]), word(middle[2]), word(half[0])};
+        words[1] = {word(half[1]), word(half[2]), word(axis[0]), word(axis[1])};
+        words[2] = {word(axis[2]), word(spread), word(energy), first_inner};
     }
 };
+static_assert(std::endian::native == std::endian::little);
 
-/// Exponent (biased) of a power of two whose 255 steps reach over `size` map units; at most twice
+/// Exponent (biased) of a power of two whose 254 steps reach over `size` map units; at most twice
 /// the smallest, but for sizes near 0.
 std::uint32_t step_exponent(double size) {
     constexpr int least = 32, most = 254;
     if (!(size > 0.0)) return least;
     int exponent = 0;
-    std::frexp(size / 255.0, &exponent); // size / 255 < 2^exponent
+    std::frexp(size / 254.0, &exponent); // size / 254 < 2^exponent
     return static_cast<std::uint32_t>(std::clamp(exponent + 127, least, most));
 }
 
@@ -77,44 +71,43 @@ std::uint32_t step_exponent(double size) {
 void encode_box(GroupCode& group, std::uint32_t i, const LightTreeNode& child,
                 const glm::vec3& origin, const glm::dvec3& step) {
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const double from = static_cast<double>(origin[axis]);
-        const auto steps = [&](float at) { return (static_cast<double>(at) - from) / step[axis]; };
-        group.lower[axis][i] = static_cast<std::uint8_t>(std::floor(steps(child.lower[axis])));
-        group.upper[axis][i] = static_cast<std::uint8_t>(std::ceil(steps(child.upper[axis])));
+        const auto steps = [&](float at) {
+            return (static_cast<double>(at) - static_cast<double>(origin[axis])) / step[axis];
+        };
+        const double lower = steps(child.lower[axis]), upper = steps(child.upper[axis]);
+        const double middle = std::round(0.5 * (lower + upper));
+        const double half = std::max(middle - lower, upper - middle); // at most 127.5 steps
+        group.middle[axis][i] = static_cast<std::uint8_t>(middle);
+        group.half[axis][i] = static_cast<std::uint8_t>(std::ceil(2.0 * half));
     }
 }
 
 /// Sets axis and size of the cone of child `i`, which holds the normals of these lights.
 void encode_cone(GroupCode& group, std::uint32_t i, const glm::vec3& normal_sum,
                  std::span<const TreeLight> lights) {
-    const glm::vec2 square = shader::octahedral_encode(normal_sum) * 2.0f - 1.0f;
-    glm::vec2 rounded;
-    for (glm::length_t axis = 0; axis < 2; ++axis) {
-        const float code = std::clamp(std::round(square[axis] * 127.0f), -127.0f, 127.0f);
-        group.axis[axis][i] = static_cast<std::uint8_t>(code + 127.0f);
-        rounded[axis] = code / 127.0f;
-    }
-    const glm::vec3 axis = shader::octahedral_decode(rounded * 0.5f + 0.5f);
-    // The chord between unit vectors is twice the sine of half the angle: as exact for small
-    // angles.
+    const float length = glm::length(normal_sum);
+    const glm::vec3 direction = length > 1e-3f ? normal_sum / length : lights.front().normal;
+    const glm::vec3 code = glm::round(direction * 127.0f);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        group.axis[axis][i] = static_cast<std::uint8_t>(static_cast<std::int8_t>(code[axis]));
+    const glm::vec3 axis = glm::normalize(code);
     float widest = 0.0f;
     for (const TreeLight& light : lights) {
-        const glm::vec3 chord = light.normal - axis;
-        widest = std::max(widest, std::sqrt(glm::dot(chord, chord)) + light.normal_error);
+        const glm::vec3 apart = light.normal - axis;
+        widest = std::max(widest, std::sqrt(glm::dot(apart, apart)) + light.normal_error);
     }
-    // Angles that the walk's own slack covers count as none: walls and ceilings stay exact.
-    const float half_sine = 0.5f * widest;
-    group.half_sine[i] = half_sine <= 1e-7f
-                             ? std::uint8_t{0}
-                             : static_cast<std::uint8_t>(
-                                   std::clamp(std::ceil(half_sine * 255.0f + 0.25f), 1.0f, 255.0f));
+    // Angles that the walk's own slack covers count as none: walls and ceilings stay exact. The
+    // rest is as seen along an axis that is up to 1% shorter than 1.
+    group.spread[i] = widest <= 2e-7f ? std::uint8_t{0}
+                                      : static_cast<std::uint8_t>(std::min(
+                                            std::ceil(widest * 127.0f * 1.02f + 0.5f), 255.0f));
 }
 
 /// Energy as a part of the node's largest, as light_node_energies reads it; never 0.
-std::uint16_t encode_energy(float part) {
+std::uint8_t encode_energy(float part) {
     const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(part));
-    const std::int64_t code = (bits + (1 << 12) - (std::int64_t{64} << 23)) >> 13;
-    return static_cast<std::uint16_t>(std::clamp<std::int64_t>(code, 1, 63 << 10));
+    const std::int64_t code = (bits + (1 << 20) - (std::int64_t{64} << 23)) >> 21;
+    return static_cast<std::uint8_t>(std::clamp<std::int64_t>(code, 1, 63 << 2));
 }
 
 } // namespace
