@@ -7,39 +7,30 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace vigil {
 
 namespace {
 
-constexpr std::uint32_t MOST_CHILDREN = 8;
-
 /// The descendants of a binary node that become children of its wide node.
 struct Children {
-    std::array<std::uint32_t, MOST_CHILDREN> node;
+    std::array<std::uint32_t, WIDEST_LIGHT_NODE> node;
     std::uint32_t count = 0;
 };
 
-/// Opens the child of the largest measure, which importance knows least about, while there is room.
-Children open_children(std::span<const LightTreeNode> nodes, std::uint32_t root,
-                       std::uint32_t width) {
-    Children children;
-    children.node[children.count++] = root;
-    while (children.count < width) {
-        std::uint32_t widest = MOST_CHILDREN;
-        float most = -1.0f;
-        for (std::uint32_t i = 0; i < children.count; ++i) {
-            const LightTreeNode& node = nodes[children.node[i]];
-            if (node.right == 0 || node.measure <= most) continue;
-            most = node.measure;
-            widest = i;
-        }
-        if (widest == MOST_CHILDREN) break; // leaves only
-        const std::uint32_t opened = children.node[widest];
-        children.node[widest] = opened + 1;
-        children.node[children.count++] = nodes[opened].right;
+/// Puts `node` into `children` as at most `most` nodes side by side, as planned.
+void collect(std::span<const LightTreeNode> nodes, std::span<const WideLightPlan> plans,
+             std::uint32_t node, std::uint32_t most, Children& children) {
+    while (most > 1 && plans[node].left[most - 1] == 0)
+        --most;
+    if (most == 1) {
+        children.node[children.count++] = node;
+        return;
     }
-    return children;
+    const std::uint32_t left = plans[node].left[most - 1];
+    collect(nodes, plans, node + 1, left, children);
+    collect(nodes, plans, nodes[node].right, most - left, children);
 }
 
 /// Bytes of a group of four children, gathered child by child.
@@ -123,6 +114,8 @@ void LightHierarchy::build(std::span<const shader::Light> lights,
     leaf_lights_.clear();
     parents_.clear();
     if (header_.light_count == 0) return;
+    plans_.resize(tree_.nodes().size());
+    plan_node(0, options.width);
     queue_.push_back(0);
     parents_.push_back(shader::NONE);
     for (std::uint32_t number = 0; number < queue_.size(); ++number) // which grows
@@ -130,10 +123,47 @@ void LightHierarchy::build(std::span<const shader::Light> lights,
     header_.node_count = static_cast<std::uint32_t>(queue_.size());
 }
 
+void LightHierarchy::plan_node(std::uint32_t number, std::uint32_t width) {
+    const LightTreeNode& node = tree_.nodes()[number];
+    WideLightPlan& plan = plans_[number];
+    plan = {};
+    if (node.right == 0) return; // a leaf is never visited
+    plan_node(number + 1, width);
+    plan_node(node.right, width);
+    const WideLightPlan& left = plans_[number + 1];
+    const WideLightPlan& right = plans_[node.right];
+    std::array<float, WIDEST_LIGHT_NODE> parted{};
+    for (std::uint32_t count = 2; count <= width; ++count) {
+        parted[count - 1] = std::numeric_limits<float>::infinity();
+        for (std::uint32_t i = 1; i < count; ++i) {
+            const float cost = left.cost[i - 1] + right.cost[count - i - 1];
+            if (cost >= parted[count - 1]) continue;
+            parted[count - 1] = cost;
+            plan.left[count - 1] = static_cast<std::uint8_t>(i);
+        }
+    }
+    // As one node it costs a visit and its children; as several it is not there itself.
+    plan.left_child = plan.left[width - 1];
+    plan.cost[0] = node.energy + parted[width - 1];
+    for (std::uint32_t count = 2; count <= width; ++count) {
+        plan.cost[count - 1] = parted[count - 1];
+        if (plan.cost[count - 2] >= parted[count - 1]) continue;
+        plan.cost[count - 1] = plan.cost[count - 2];
+        plan.left[count - 1] = 0;
+    }
+}
+
 void LightHierarchy::write_node(std::uint32_t number, const LightHierarchyOptions& options) {
     const std::span<const LightTreeNode> tree = tree_.nodes();
     const LightTreeNode& root = tree[queue_[number]];
-    const Children children = open_children(tree, queue_[number], options.width);
+    Children children;
+    if (root.right == 0) {
+        children.node[children.count++] = queue_[number]; // of all lights in one leaf
+    } else {
+        const std::uint32_t left = plans_[queue_[number]].left_child;
+        collect(tree, plans_, queue_[number] + 1, left, children);
+        collect(tree, plans_, root.right, options.width - left, children);
+    }
 
     // The frame in which children are quantised.
     glm::uvec3 exponents;

@@ -7,12 +7,27 @@
 #include "refresh/vkpt/light/light_tree.h"
 #include "shared/light_hierarchy.h"
 
+#include <array>
+
 namespace vigil {
 
 struct LightHierarchyOptions {
     std::uint32_t width = 8;     // children of a node, 2 to 8
     std::uint32_t leaf_size = 2; // most lights in a leaf, at least 1
     bool operator==(const LightHierarchyOptions&) const = default;
+};
+
+inline constexpr std::uint32_t WIDEST_LIGHT_NODE = 8;
+
+/// How the subtree of a binary node becomes wide nodes so that a draw visits the fewest (the
+/// dynamic programme of Ylitie et al. 2017): a node is taken to be visited in proportion to its
+/// energy.
+struct WideLightPlan {
+    /// Least sum of the energies of all nodes visited, if the subtree is shown as at most i + 1
+    /// nodes side by side, and how many of them the left child gets; 0: one less does as well.
+    std::array<float, WIDEST_LIGHT_NODE> cost;
+    std::array<std::uint8_t, WIDEST_LIGHT_NODE> left;
+    std::uint8_t left_child; // of its own children, how many are the left child's
 };
 
 class LightHierarchy {
@@ -33,10 +48,13 @@ public:
     std::span<const std::uint32_t> parents() const { return parents_; }
 
 private:
+    /// Plans the subtree of a binary node.
+    void plan_node(std::uint32_t number, std::uint32_t width);
     /// Writes the wide node `number`, which stands for the binary node queue_[number].
     void write_node(std::uint32_t number, const LightHierarchyOptions& options);
 
     LightTree tree_;
+    std::vector<WideLightPlan> plans_; // by binary node
     std::vector<std::uint32_t> queue_; // binary node of each wide one, breadth-first
     shader::LightHierarchyHeader header_{};
     std::vector<glm::uvec4> nodes_;
