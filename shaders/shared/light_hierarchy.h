@@ -73,10 +73,11 @@ SHADER_FN vec4 light_node_energies(uint word) {
 /// handful of operations, here and where importance decides whether a light faces a surface; and
 /// the angle of 2e-7 that cones leave out.
 SHADER_CONST float LIGHT_NODE_SLACK = 1e-6f;
-/// Least squared distance, and least importance of a child that may contribute: no quotient of what
-/// follows overflows, and none vanishes. Distances are parts of the farthest in the node.
+/// Least squared distance, and least importance per energy of a child that may contribute: no
+/// quotient of what follows overflows, and no product vanishes. Distances are parts of the farthest
+/// in the node.
 SHADER_CONST float LIGHT_NODE_NEAREST = 1e-8f;
-SHADER_CONST float LIGHT_NODE_LEAST = 1e-30f;
+SHADER_CONST float LIGHT_NODE_LEAST = 1e-15f;
 
 /// A mean of max(x, 0) over x in middle - reach .. middle + reach, times 4 * reach where 0 is in
 /// that interval; light_mean_divisor is what it has to be divided by.
@@ -130,21 +131,17 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
     vec4 spread = light_node_bytes(word2.y) * (1.0f / 127.0f);
     vec4 farthest = abs(x) + abs(y) + abs(z) + size_x + size_y + size_z;
     vec4 turned = spread * farthest;
-    bvec4 above = greaterThan(height + height_reach, vec4(-LIGHT_NODE_SLACK));
-    bvec4 towards = greaterThan(facing + facing_reach + turned, vec4(-LIGHT_NODE_SLACK));
+    vec4 visible = min(height + height_reach, facing + facing_reach + turned);
 
     // The mean normal of an evenly filled cone has this part of the length.
     vec4 mean = facing * (1.0f - 0.25f * spread * spread);
     vec4 mean_reach = facing_reach + 0.4f * turned;
-    vec4 energies = light_node_energies(word2.z);
-    vec4 importance = energies * light_mean_dividend(height, height_reach) *
+    vec4 per_energy = light_mean_dividend(height, height_reach) *
                       light_mean_dividend(mean, mean_reach) /
                       (light_mean_divisor(height, height_reach) *
                        light_mean_divisor(mean, mean_reach) * (squared * squared));
-    importance = max(importance, vec4(LIGHT_NODE_LEAST));
-    importance = mix(vec4(0.0f), importance, above);
-    importance = mix(vec4(0.0f), importance, towards);
-    return mix(vec4(0.0f), importance, greaterThan(energies, vec4(0.0f)));
+    return mix(vec4(0.0f), light_node_energies(word2.z) * max(per_energy, vec4(LIGHT_NODE_LEAST)),
+               greaterThan(visible, vec4(-LIGHT_NODE_SLACK)));
 }
 
 /// No child that may contribute is weighed as less than this part of its node's largest: importance

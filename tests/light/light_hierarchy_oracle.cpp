@@ -70,9 +70,9 @@ ChildImportance child_importance(const OracleChild& child, double reach, glm::dv
     if (highest <= -slack || foremost <= -slack) return result;
 
     const double mean = facing * (1.0 - child.spread * child.spread / 4.0);
-    result.value = std::max(child.energy * mean_above(height, height_reach) *
-                                mean_above(mean, facing_reach + 0.4 * turned) / (squared * squared),
-                            1e-30 / (reach * reach));
+    const double per_energy = mean_above(height, height_reach) *
+                              mean_above(mean, facing_reach + 0.4 * turned) / (squared * squared);
+    result.value = child.energy * std::max(per_energy, 1e-15 / (reach * reach));
     return result;
 }
 
