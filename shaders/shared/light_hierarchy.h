@@ -32,7 +32,6 @@ struct LightHierarchyHeader {
     uint node_count;
 };
 
-SHADER_CONST uint LIGHT_NODE_GROUP_WORDS = 3u;
 /// Words of 16 bytes from node to node.
 SHADER_FN uint light_node_stride(uint groups) {
     return 4u * groups;

@@ -455,8 +455,8 @@ TEST(LightHierarchy, DepthIsBoundedForTheWorstLights) {
     }
 }
 
-TEST(LightHierarchy, LightsOfALeafAreNeighbours) {
-    // The work of a build is bounded by its depth: every light passes each level once.
+TEST(LightHierarchy, WorkOfABuildIsBounded) {
+    // A light is looked at once in every node above it.
     LightTree tree;
     tree.build(lamps_in_a_hall(50000), 2);
     uint64_t passed = 0;

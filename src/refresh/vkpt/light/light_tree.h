@@ -29,7 +29,6 @@ struct LightTreeNode {
     glm::vec3 lower, upper;     // box around the lights
     glm::vec3 normal_sum;       // of the lights' normals
     float energy;               // sum over the lights
-    float measure;              // energy (as a part of all) * area * solid angle: the heuristic
     std::uint32_t first, count; // lights of this subtree: first .. first + count - 1
     std::uint32_t right;        // second child; the first one follows its parent. 0: a leaf
 };
@@ -53,7 +52,6 @@ private:
     std::vector<TreeLight> lights_;
     std::vector<LightTreeNode> nodes_;
     std::uint32_t leaf_size_ = 1;
-    float scale_ = 1.0f; // 1 / energy of all lights
 };
 
 } // namespace vigil
