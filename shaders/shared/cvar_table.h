@@ -80,6 +80,10 @@
         "sll: 1: weights also follow how many of the last frames' shadow rays reached the light, by cluster and direction") \
     GPU_INTEGER(pt_ris_candidates, Session, 32, 1, 1024, \
         "ris: lights of the level weighted per hit, of which one is kept") \
+    INTEGER(pt_lh_width, Session, 8, 2, 8, \
+        "lh: children of a node; up to 4 of them take 64 bytes, more take 128") \
+    INTEGER(pt_lh_leaf, Session, 2, 1, 16, \
+        "lh: most lights in a leaf, where each is weighted by itself") \
     INTEGER(pt_oct_split, Session, 4096, 1, 1000000000, \
         "octree: a leaf with more surface samples than this is split (at 1920 x 1080)") \
     INTEGER(pt_oct_collapse, Session, 2048, 0, 1000000000, \

@@ -8,6 +8,7 @@
 // clang-format off
 #define VIGIL_TECHNIQUE_TABLE(ROW) \
     ROW(sll, "Static Light Lists of Quake II RTX: the lights of the hit's cluster, weighted") \
+    ROW(lh, "Light Hierarchy: a tree over all lights, walked by what each part may add; sees no walls") \
     ROW(vlc, "Visibility Light Cache: the lights that samples of the last frame have seen nearby, weighted") \
     ROW(uniform, "every light of the level with equal probability; a baseline") \
     ROW(power, "every light of the level in proportion to its emitted power; a baseline") \

@@ -27,10 +27,10 @@ uint32_t ray_into(const Path& square, float contribution) {
 }
 
 AdaptedQuadtree adapted(const std::vector<uint32_t>& rays, float margin, uint32_t migrations = 1) {
-    const AdaptedQuadtrees result = adapt_quadtree(even, rays, {migrations, margin});
+    const AdaptedQuadtrees result = adapt_quadtree(even, {rays, {}, {}}, {migrations, margin});
     EXPECT_TRUE(result.exact);
     EXPECT_EQ(result.allowed.size(), 1u);
-    return *result.allowed.begin();
+    return result.allowed.begin()->first;
 }
 
 TEST(CdqOracle, FieldsAreBreadthFirst) {
@@ -106,7 +106,7 @@ TEST(CdqOracle, WhatRoundingDecidesIsOpen) {
         for (const float contribution : {1.2f, 1.7f, 2.4f})
             rays.push_back(ray_into(square, contribution));
     rays.push_back(ray_into("20", 1e-4f));
-    const AdaptedQuadtrees result = adapt_quadtree(even, rays, {1, 0.1f});
+    const AdaptedQuadtrees result = adapt_quadtree(even, {rays, {}, {}}, {1, 0.1f});
     EXPECT_FALSE(result.exact);
     EXPECT_EQ(result.allowed.size(), 2u);
 }

@@ -9,6 +9,7 @@
 #include "shared/brdf.h"
 #include "shared/cdq.h"
 #include "shared/light_point.h"
+#include "shared/light_hierarchy.h"
 #include "shared/ltc.h"
 #include "shared/octahedral.h"
 #include "shared/random.h"
@@ -40,5 +41,8 @@ void main() {
     result = vec4(ltc_importance(diffuse, light, false), ltc_importance(glossy, light, true),
                   drawn.seen.pdf + seen.geometry + glint.geometry, alias_choose(entry, slot));
     tree = cdq_migrate(tree, 0u, cdq_leaf(tree, 128u, slot.column));
+    const vec4 children = light_group_importance(light_node(tree), tree, tree, tree, origin, normal);
+    const LightNodeWeights weights = light_node_weights(children, vec4(0.0));
+    result.x += light_node_choose(weights, 0.5 * light_node_sum(weights)).weight + light_node_weight(weights, light_node_stride(2u) - 1u);
     result += cdq_pdf(tree, 128u, cdq_sample(tree, 128u, random_next3(random)));
 }

@@ -6,10 +6,9 @@
 // none. And the mean of next event estimation is that of brute force: of all lights, one after the
 // other, without a choice. Each judgement is made once more with a planted error, which must be
 // found.
-#include "light/statistics.h"
+#include "light_answers.h"
 #include "light_scenes.h"
 #include "technique_settings.h"
-#include "test_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,68 +28,9 @@ constexpr int block = 4;
 /// and two (of neighbours, one may be black).
 constexpr double planted = 0.03;
 
-struct Answer {
-    float probability;
-    uint32_t draws;
-};
-
-/// What the shader said about one scene.
-struct Answers {
-    size_t lights = 0;
-    bool exact = false;
-    std::vector<Answer> answers; // rows of lights + 1
-    std::vector<float> errors;
-    std::vector<shader::PrimaryHit> hits;
-
-    std::span<const Answer> row(size_t pixel) const {
-        return std::span(answers).subspan(pixel * (lights + 1), lights + 1);
-    }
-    bool has_surface(size_t pixel) const { return hits[pixel].primitive != shader::NONE; }
-    /// Sum of the claimed probabilities of all lights.
-    double sum(size_t pixel) const {
-        double total = 0.0;
-        for (const Answer& answer : row(pixel).first(lights))
-            total += static_cast<double>(answer.probability);
-        return total;
-    }
-};
-
-/// Bins for a chi-square: at least ten expected draws each, what is rarer together.
-class Bins {
-public:
-    explicit Bins(double draws) : draws_(draws) {}
-
-    void add(double share, uint64_t count) {
-        if (share * draws_ >= 10.0) {
-            shares_.push_back(share);
-            counts_.push_back(count);
-        } else {
-            shares_.front() += share;
-            counts_.front() += count;
-        }
-    }
-    /// Standard normal, unless there are too few bins.
-    std::optional<double> score() {
-        if (shares_.size() > 1 &&
-            shares_.front() * draws_ < 3.0) { // too few for a bin of their own
-            shares_[1] += shares_.front();
-            counts_[1] += counts_.front();
-            shares_.erase(shares_.begin());
-            counts_.erase(counts_.begin());
-        }
-        if (counts_.size() < 2) return {};
-        return chi_square_z(counts_, shares_);
-    }
-
-private:
-    double draws_;
-    std::vector<uint64_t> counts_{0};
-    std::vector<double> shares_{0.0};
-};
-
 /// Draws of all pixels together, by groups of lights: sums of different multinomials have a little
 /// less variance than one of the mean probability, so that the score is on the safe side.
-double pooled_score(const Answers& answers, double error) {
+double pooled_score(const LightAnswers& answers, double error) {
     constexpr size_t groups = 32;
     std::vector<double> shares(groups + 1, 0.0);
     std::vector<uint64_t> counts(groups + 1, 0);
@@ -98,7 +38,7 @@ double pooled_score(const Answers& answers, double error) {
     for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
         if (!answers.has_surface(pixel)) continue;
         pixels += 1.0;
-        const std::span<const Answer> row = answers.row(pixel);
+        const std::span<const LightAnswer> row = answers.row(pixel);
         double sum = 0.0;
         for (size_t light = 0; light < answers.lights; ++light) {
             const double share = static_cast<double>(row[light].probability);
@@ -110,7 +50,7 @@ double pooled_score(const Answers& answers, double error) {
         counts[groups] += row[answers.lights].draws;
     }
     const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
-    Bins bins(pixels * draws_per_pixel);
+    SelectionBins bins(pixels * draws_per_pixel);
     for (size_t group = 0; group <= groups; ++group)
         bins.add(shares[group] / total, counts[group]);
     return bins.score().value_or(0.0);
@@ -134,12 +74,7 @@ protected:
         shader::FrameParams frame = params(scene.shot);
         frame.frame = 1;
         trace(frame, renderer().scene()->features(), 1);
-        if (!pass_) {
-            vkpt::SceneFeatures features; // of any scene
-            features.instances = features.translucent = features.lights = true;
-            pass_.emplace(renderer(), fmt::format("light_technique.{}", GetParam().technique),
-                          features);
-        }
+        if (!pass_) pass_.emplace(light_technique_pass(renderer(), GetParam().technique));
     }
 
     static size_t pixels() {
@@ -147,40 +82,12 @@ protected:
         return size_t{size.x} * size.y;
     }
 
-    void add_buffers(uint32_t batches) {
-        pass_->clear_buffers();
-        pass_->add_buffer(pixels() * (light_count() + 1) * sizeof(Answer));
-        pass_->add_buffer(pixels() * std::max(batches, 1u) * sizeof(glm::vec3));
-        pass_->add_buffer((1 + pixels()) * sizeof(float));
-    }
-
-    void run(uint32_t depth, glm::uvec2 push) {
-        const glm::uvec2 tiles = (renderer().path_tracer().size() + 7u) / 8u;
-        pass_->run({tiles, depth}, push);
-    }
-
-    Answers ask() {
-        add_buffers(0);
-        constexpr uint32_t lights_at_once = 128;
-        Answers answers;
-        answers.lights = light_count();
-        run(static_cast<uint32_t>(answers.lights) / lights_at_once + 1, {0, lights_at_once});
-        run(draws_per_pixel, {1, 1});
-        answers.answers = pass_->read<Answer>(0, pixels() * (answers.lights + 1));
-        answers.errors = pass_->read<float>(2, 1 + pixels());
-        answers.exact = answers.errors[0] != 0.0f; // any bit
-        answers.errors.erase(answers.errors.begin());
-        answers.hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().path_tracer().primary_hits(), 0, pixels());
-        return answers;
-    }
-
     static size_t light_count() { return renderer().scene()->lights().lights().size(); }
 
     /// Independent pictures of the light that arrives at primary hits, by draws.
     PictureBatches sampled() {
-        add_buffers(batch_count);
-        run(batch_count, {2, draws_per_batch});
+        add_light_buffers(*pass_, renderer(), batch_count);
+        run_at_pixels(*pass_, renderer(), batch_count, {2, draws_per_batch});
         return add_up(batch_count, 1, 1);
     }
 
@@ -191,8 +98,8 @@ protected:
             std::max<size_t>((light_count() + lights_at_once - 1) / lights_at_once, 1));
         const auto repeats = static_cast<uint32_t>(
             std::clamp<size_t>(600 / std::max<size_t>(light_count(), 1), 1, 40));
-        add_buffers(batches * repeats * parts);
-        run(batches * repeats * parts, {3, lights_at_once});
+        add_light_buffers(*pass_, renderer(), batches * repeats * parts);
+        run_at_pixels(*pass_, renderer(), batches * repeats * parts, {3, lights_at_once});
         return add_up(batches, repeats, parts);
     }
 
@@ -228,11 +135,11 @@ double impossible(double sum, const Blanks& blanks, size_t lights) {
     return nearest;
 }
 
-void judge_support(const Answers& answers) {
+void judge_support(const LightAnswers& answers) {
     for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
         if (!answers.has_surface(pixel)) continue;
         for (size_t light = 0; light < answers.lights; ++light) {
-            const Answer& answer = answers.row(pixel)[light];
+            const LightAnswer& answer = answers.row(pixel)[light];
             ASSERT_TRUE(std::isfinite(answer.probability) && answer.probability >= 0.0f)
                 << "pixel " << pixel << " light " << light;
             ASSERT_TRUE(answer.probability > 0.0f || answer.draws == 0)
@@ -241,7 +148,7 @@ void judge_support(const Answers& answers) {
     }
 }
 
-void judge_probabilities(const Answers& answers, const Blanks& blanks) {
+void judge_probabilities(const LightAnswers& answers, const Blanks& blanks) {
     size_t scored = 0, worst_pixel = 0;
     double scores = 0.0, worst = 0.0, worst_error = 0.0;
     for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
@@ -256,8 +163,8 @@ void judge_probabilities(const Answers& answers, const Blanks& blanks) {
         EXPECT_LT(answers.errors[pixel], 1e-4f) << "pixel " << pixel;
         worst_error = std::max(worst_error, static_cast<double>(answers.errors[pixel]));
 
-        Bins bins(draws_per_pixel);
-        for (const Answer& answer : answers.row(pixel).first(answers.lights))
+        SelectionBins bins(draws_per_pixel);
+        for (const LightAnswer& answer : answers.row(pixel).first(answers.lights))
             bins.add(static_cast<double>(answer.probability), answer.draws);
         bins.add(std::max(1.0 - sum, 0.0), answers.row(pixel)[answers.lights].draws);
         const std::optional<double> score = bins.score();
@@ -311,9 +218,9 @@ TEST_P(LightTechniqueTest, KeepsItsPromises) {
         SCOPED_TRACE(scene.name);
         bring(scene);
         std::cout << fmt::format("{}, {} lights\n", scene.name, light_count());
-        const Answers answers = ask();
+        const LightAnswers answers = ask_lights(*pass_, renderer(), draws_per_pixel);
         const bool any = std::ranges::any_of(
-            answers.answers, [&](const Answer& answer) { return answer.probability > 0.0f; });
+            answers.answers, [&](const LightAnswer& answer) { return answer.probability > 0.0f; });
         if (!renderer().technique()->samples_lights()) {
             EXPECT_FALSE(any) << "rays find the lights, and draws do not";
             continue;

@@ -23,6 +23,8 @@ const TechniqueSettings known[] = {
       {"pt_light_points", "1"},
       {"pt_light_density", "solid_angle"}},
      {8, 1, 1.0}},
+    {"lh", "Default", {}, {}},
+    {"lh", "ThreeWide", {{"pt_lh_width", "3"}, {"pt_lh_leaf", "1"}}, {}},
     // A walk through a cluster's list throws away what the cache has.
     {"vlc", "Default", {}, {}},
     {"vlc", "FourAtMost", {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0.5"}}, {}},

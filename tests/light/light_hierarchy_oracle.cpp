@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "light_hierarchy_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vigil::test {
+
+namespace {
+
+/// Byte `number` of a node, counted from its first.
+uint32_t byte_of(const HierarchyWords& words, uint32_t node, uint32_t number) {
+    const uint32_t bytes_of_node = words.header.groups == 1 ? 64 : 128;
+    const uint32_t at = node * bytes_of_node + number;
+    return words.nodes[at / 16][static_cast<glm::length_t>(at / 4 % 4)] >> (8 * (at % 4)) & 0xffu;
+}
+
+uint32_t word_of(const HierarchyWords& words, uint32_t node, uint32_t first_byte) {
+    uint32_t word = 0;
+    for (uint32_t i = 0; i < 4; ++i)
+        word |= byte_of(words, node, first_byte + i) << (8 * i);
+    return word;
+}
+
+double float_of(uint32_t bits) {
+    float value;
+    static_assert(sizeof(value) == sizeof(bits));
+    std::memcpy(&value, &bits, sizeof(value));
+    return static_cast<double>(value);
+}
+
+double energy_of(uint32_t code) {
+    return std::ldexp(1.0 + (code & 3) / 4.0, static_cast<int>(code >> 2) - 63) -
+           std::ldexp(1.0, -63);
+}
+
+double signed_byte(uint32_t byte) {
+    return byte < 128 ? byte : byte - 256.0;
+}
+
+/// Mean of max(x, 0) over an interval.
+double mean_above(double middle, double reach) {
+    if (middle >= reach) return middle;
+    const double top = middle + reach;
+    return top <= 0.0 ? 0.0 : top * top / (4.0 * reach);
+}
+
+struct ChildImportance {
+    double value;
+    bool doubtful;
+};
+
+/// `reach`: no coordinate in the node is larger.
+ChildImportance child_importance(const OracleChild& child, double reach, glm::dvec3 position,
+                                 glm::dvec3 normal) {
+    const glm::dvec3 middle = 0.5 * (child.lower + child.upper) - position;
+    const glm::dvec3 half = 0.5 * (child.upper - child.lower);
+    const double squared =
+        std::max(glm::dot(middle, middle) + glm::dot(half, half) / 3.0, 1e-8 * reach * reach);
+
+    const double height = glm::dot(normal, middle), height_reach = glm::dot(glm::abs(normal), half);
+    const double facing = -glm::dot(child.axis, middle),
+                 facing_reach = glm::dot(glm::abs(child.axis), half);
+    const double farthest = glm::dot(glm::abs(middle) + half, glm::dvec3(1.0));
+    const double turned = child.spread * farthest;
+    const double slack = 1e-6 * reach;
+    const double highest = height + height_reach, foremost = facing + facing_reach + turned;
+    ChildImportance result{0.0, std::abs(highest + slack) < 0.4 * slack ||
+                                    std::abs(foremost + slack) < 0.4 * slack};
+    if (highest <= -slack || foremost <= -slack) return result;
+
+    const double mean = facing * (1.0 - child.spread * child.spread / 4.0);
+    const double per_energy = mean_above(height, height_reach) *
+                              mean_above(mean, facing_reach + 0.4 * turned) / (squared * squared);
+    result.value = child.energy * std::max(per_energy, 1e-15 / (reach * reach));
+    return result;
+}
+
+} // namespace
+
+std::vector<OracleChild> decode_children(const HierarchyWords& words, uint32_t node) {
+    const glm::dvec3 origin(float_of(word_of(words, node, 0)), float_of(word_of(words, node, 4)),
+                            float_of(word_of(words, node, 8)));
+    glm::dvec3 step;
+    for (uint32_t axis = 0; axis < 3; ++axis)
+        step[static_cast<glm::length_t>(axis)] =
+            std::ldexp(1.0, static_cast<int>(byte_of(words, node, 12 + axis)) - 127);
+    const uint32_t inner = byte_of(words, node, 15);
+    const uint32_t slots = 4 * words.header.groups;
+    uint32_t next_inner = word_of(words, node, 60);
+    std::vector<OracleChild> children;
+    for (uint32_t i = 0; i < slots; ++i) {
+        const uint32_t in_group = 16 + 48 * (i / 4) + i % 4;
+        const uint32_t energy = byte_of(words, node, in_group + 40);
+        if (energy == 0) continue;
+        OracleChild child;
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+            const auto at = static_cast<glm::length_t>(axis);
+            const double middle = byte_of(words, node, in_group + 4 * axis);
+            const double half = 0.5 * byte_of(words, node, in_group + 12 + 4 * axis);
+            child.lower[at] = origin[at] + step[at] * (middle - half);
+            child.upper[at] = origin[at] + step[at] * (middle + half);
+            child.axis[at] = signed_byte(byte_of(words, node, in_group + 24 + 4 * axis)) / 127.0;
+        }
+        child.spread = byte_of(words, node, in_group + 36) / 127.0;
+        child.energy = energy_of(energy);
+        child.inner = (inner >> i & 1u) != 0;
+        child.node = child.inner ? next_inner++ : 0;
+        child.place = (node * slots + i) * words.header.leaf_size;
+        child.number = i;
+        children.push_back(child);
+    }
+    return children;
+}
+
+std::vector<uint32_t> lights_of_leaf(const HierarchyWords& words, const OracleChild& leaf) {
+    std::vector<uint32_t> lights;
+    for (uint32_t i = 0; i < words.header.leaf_size; ++i)
+        if (words.leaf_lights[leaf.place + i] != shader::NONE)
+            lights.push_back(words.leaf_lights[leaf.place + i]);
+    return lights;
+}
+
+OracleProbabilities oracle_probabilities(const HierarchyWords& words,
+                                         std::span<const shader::Light> lights,
+                                         const shader::LtcSurface& surface) {
+    OracleProbabilities result;
+    result.by_light.resize(lights.size(), 0.0);
+    if (words.header.light_count == 0) return result;
+    const glm::dvec3 position(surface.position), normal(surface.normal);
+    struct Visit {
+        uint32_t node;
+        double probability;
+    };
+    std::vector<Visit> visits{{0, 1.0}};
+    while (!visits.empty()) {
+        const Visit visit = visits.back();
+        visits.pop_back();
+        const std::vector<OracleChild> children = decode_children(words, visit.node);
+        double reach = 0.0;
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+            const double step =
+                std::ldexp(1.0, static_cast<int>(byte_of(words, visit.node, 12 + axis)) - 127);
+            reach += std::abs(float_of(word_of(words, visit.node, 4 * axis)) -
+                              position[static_cast<glm::length_t>(axis)]) +
+                     255.0 * step;
+        }
+        std::vector<double> weights;
+        double largest = 0.0, sum = 0.0;
+        for (const OracleChild& child : children) {
+            const ChildImportance importance = child_importance(child, reach, position, normal);
+            result.doubtful |= importance.doubtful;
+            weights.push_back(importance.value);
+            largest = std::max(largest, importance.value);
+        }
+        for (double& weight : weights) {
+            if (weight > 0.0) weight = std::max(weight, largest / 4096.0);
+            sum += weight;
+        }
+        for (size_t i = 0; i < children.size(); ++i) {
+            if (!(weights[i] > 0.0)) continue;
+            const double probability = visit.probability * weights[i] / sum;
+            if (children[i].inner) {
+                visits.push_back({children[i].node, probability});
+                continue;
+            }
+            const std::vector<uint32_t> ids = lights_of_leaf(words, children[i]);
+            double all = 0.0;
+            for (const uint32_t id : ids)
+                all += static_cast<double>(shader::ltc_importance(surface, lights[id], true));
+            for (const uint32_t id : ids)
+                if (all > 0.0)
+                    result.by_light[id] =
+                        probability *
+                        static_cast<double>(shader::ltc_importance(surface, lights[id], true)) /
+                        all;
+        }
+    }
+    return result;
+}
+
+} // namespace vigil::test
