@@ -227,12 +227,16 @@ PictureError mean_error(std::span<const std::vector<float>> pictures, const Refe
     return sum;
 }
 
+int stays_below(std::span<const double> curve, double limit) {
+    auto frame = static_cast<int>(curve.size()) + 1;
+    while (frame > 1 && curve[frame - 2] <= limit)
+        --frame;
+    return frame;
+}
+
 Settled settle(std::span<const double> curve, int tail, double factor) {
-    const std::size_t last = std::min(curve.size(), static_cast<std::size_t>(tail));
-    Settled settled{mean(curve.last(last)), static_cast<int>(curve.size()) + 1};
-    while (settled.frame > 1 && curve[settled.frame - 2] <= factor * settled.level)
-        --settled.frame;
-    return settled;
+    const double level = mean(curve.last(std::min(curve.size(), static_cast<std::size_t>(tail))));
+    return {level, stays_below(curve, factor * level)};
 }
 
 } // namespace vigil::bench

@@ -77,6 +77,10 @@ double relative_floor(const Reference& reference);
 /// What the reference's variance would add to the relative MSE, were it not taken off.
 double relative_variance(const Reference& reference);
 
+/// Number, from 1, of the first value of a curve from which all are at most `limit`; one more than
+/// there are if the last one is above it.
+int stays_below(std::span<const double> curve, double limit);
+
 /// When a curve of errors has settled: `level` is the mean of its last `tail` values, `frame`
 /// counts from 1 and is the first from which all are at most `factor` times the level.
 struct Settled {

@@ -13,6 +13,14 @@ ordered_json to_json(const Interval& interval) {
     return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
 }
 
+/// Mean error by frame after the turn.
+std::vector<double> curve_of(const RingRow& row) {
+    std::vector<double> means;
+    for (std::size_t frame = 0; frame < row.frames.size(); ++frame)
+        means.push_back(in_frame(row, frame).value);
+    return means;
+}
+
 } // namespace
 
 Interval before(const RingRow& row) {
@@ -24,10 +32,11 @@ Interval in_frame(const RingRow& row, std::size_t frame) {
 }
 
 Settled settled_after(const RingRow& row) {
-    std::vector<double> means;
-    for (std::size_t frame = 0; frame < row.frames.size(); ++frame)
-        means.push_back(in_frame(row, frame).value);
-    return settle(means, ring_tail, ring_factor);
+    return settle(curve_of(row), ring_tail, ring_factor);
+}
+
+int readapted_after(const RingRow& row) {
+    return stays_below(curve_of(row), ring_factor * before(row).value);
 }
 
 std::string ring_text(const RingTurn& turn) {
@@ -35,14 +44,17 @@ std::string ring_text(const RingTurn& turn) {
     const double baseline = settled_after(brdf).level;
     std::string text =
         fmt::format("\nturned by {} degrees; reference variance {:.3g}\n"
-                    "  {:<10}{:>12}{:>12}{:>12}{:>12}{:>14}{:>14}\n",
+                    "  {:<10}{:>12}{:>12}{:>12}{:>12}{:>12}{:>14}{:>14}\n",
                     turn.degrees, turn.reference_variance, "row", "MSE before", "frame 1",
-                    "settled", "from frame", "frame 1/brdf", "settled/brdf");
+                    "back from", "settled", "from frame", "frame 1/brdf", "settled/brdf");
     for (const RingRow& row : turn.rows) {
         const Settled settled = settled_after(row);
         const double first = in_frame(row, 0).value;
-        text += fmt::format("  {:<10}{:>12.3g}{:>12.3g}{:>12.3g}{:>12}{:>14.3g}{:>14.3g}\n",
-                            row.row.label, before(row).value, first, settled.level, settled.frame,
+        const int back = readapted_after(row);
+        const bool is_back = back <= static_cast<int>(row.frames.size());
+        text += fmt::format("  {:<10}{:>12.3g}{:>12.3g}{:>12}{:>12.3g}{:>12}{:>14.3g}{:>14.3g}\n",
+                            row.row.label, before(row).value, first,
+                            is_back ? std::to_string(back) : "never", settled.level, settled.frame,
                             first / baseline, settled.level / baseline);
     }
     return text;
@@ -81,6 +93,7 @@ ordered_json ring_json(const RingTurn& turn) {
         rows.push_back({{"label", row.row.label},
                         {"variables", std::move(variables)},
                         {"before", std::move(start)},
+                        {"readapted_frame", readapted_after(row)},
                         {"settled", settled.level},
                         {"settled_frame", settled.frame},
                         {"frames", std::move(frames)}});

@@ -27,6 +27,9 @@ Interval before(const RingRow& row);
 Interval in_frame(const RingRow& row, std::size_t frame);
 /// The error that the row settles at, and from which frame after the turn on (counted from 1).
 Settled settled_after(const RingRow& row);
+/// From which frame after the turn on the error is that before the turn again, within ring_factor;
+/// one more than there are if it is not.
+int readapted_after(const RingRow& row);
 
 std::string ring_text(const RingTurn& turn);
 std::string ring_csv(const std::vector<RingTurn>& turns);

@@ -242,6 +242,7 @@ TEST(Settle, FindsTheFrameAfterWhichNothingIsAbove) {
 TEST(Settle, SaysWhenNothingHasSettled) {
     const std::vector<double> falling = {5.0, 4.0, 1.0, 3.0};
     EXPECT_EQ(settle(falling, 2, 1.1).frame, 5);
+    EXPECT_EQ(stays_below(falling, 0.0), static_cast<int>(falling.size()) + 1);
     EXPECT_EQ(settle(std::vector<double>(4, 1.0), 8, 1.1).frame, 1);
 }
 
