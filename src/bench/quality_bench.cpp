@@ -95,6 +95,7 @@ double sum_of_passes(const Measurement& measured, vkpt::Pass first, vkpt::Pass l
 void add_measurement(RowResult& row, const Measurement& measured) {
     row.unlit.back().push_back(measured.unlit);
     row.explored.back().push_back(measured.explored);
+    row.frame_ms.back().push_back(measured.frame_ms);
     for (std::size_t pass = 0; pass < measured.pass_ms.size(); ++pass)
         row.pass_ms[pass].back().push_back(measured.pass_ms[pass]);
     // Between the copies to the device and the camera rays lie the passes of guiding.
@@ -108,7 +109,7 @@ void add_measurement(RowResult& row, const Measurement& measured) {
 void begin_view(RowResult& row) {
     for (Strata* strata : {&row.mse, &row.trimmed_mse, &row.trimmed_variance, &row.bright_mse,
                            &row.bright_variance, &row.relative_mse, &row.mean_ratio, &row.unlit,
-                           &row.explored, &row.prepare_ms, &row.path_ms})
+                           &row.explored, &row.prepare_ms, &row.path_ms, &row.frame_ms})
         strata->emplace_back();
     row.pass_ms.resize(std::size(vkpt::pass_names));
     for (Strata& strata : row.pass_ms)

@@ -133,6 +133,13 @@ Interval median_ratio(const Strata& numerators, const Strata& denominators) {
     return {center, ratios[rank], ratios[count - 1 - rank]};
 }
 
+Interval product(const Interval& a, const Interval& b) {
+    const double value = a.value * b.value;
+    const double down = std::hypot(std::log(a.low / a.value), std::log(b.low / b.value));
+    const double up = std::hypot(std::log(a.high / a.value), std::log(b.high / b.value));
+    return {value, value * std::exp(-down), value * std::exp(up)};
+}
+
 Interval widened(const Interval& interval, double standard_error) {
     constexpr double normal_quantile = 1.959964; // the reference has tens of batches
     const double other = normal_quantile * standard_error;

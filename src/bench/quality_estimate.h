@@ -42,6 +42,10 @@ Interval ratio_over_views(const Strata& numerators, const Strata& denominators);
 /// of the order statistics (binomial, no assumption on the distribution), NaN below six pairs.
 Interval median_ratio(const Strata& numerators, const Strata& denominators);
 
+/// a * b of independent, positive estimates whose intervals are as wide on both sides of the value
+/// on a logarithmic scale: the widths' squares add up. NaN bounds where one of them has none.
+Interval product(const Interval& a, const Interval& b);
+
 /// The same interval widened by an independent error with this standard error.
 Interval widened(const Interval& interval, double standard_error);
 

@@ -100,6 +100,11 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         json["path_ms"]["ratio"] = to_json(median_ratio(row.path_ms, baseline->path_ms));
         add("prepare_ms", &RowResult::prepare_ms);
         json["prepare_ms"]["share_of_path"] = to_json(median_ratio(row.prepare_ms, row.path_ms));
+        add("frame_ms", &RowResult::frame_ms);
+        json["frame_ms"]["ratio"] = to_json(median_ratio(row.frame_ms, baseline->frame_ms));
+        json["mse"]["ratio_at_equal_time"] = to_json(equal_time(row, *baseline, &RowResult::mse));
+        json["trimmed_mse"]["ratio_at_equal_time"] =
+            to_json(equal_time(row, *baseline, &RowResult::trimmed_mse));
         ordered_json passes = ordered_json::object();
         for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
             passes[std::string(vkpt::pass_names[pass])] = row.pass_ms[pass];

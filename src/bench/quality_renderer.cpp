@@ -5,6 +5,7 @@
 #include "common/cvar.h"
 #include "common/error.h"
 #include "common/output.h"
+#include "common/stopwatch.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/passes.h"
 #include "refresh/vkpt/shader_library.h"
@@ -119,10 +120,15 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
     renderer_->take_frame_times(true);
     const std::size_t warmup = place.frames.size() - 1;
     std::uint64_t first_timed = 0;
-    for (std::size_t frame = 0; frame < warmup; ++frame)
+    std::vector<double> frame_ms;
+    for (std::size_t frame = 0; frame < warmup; ++frame) {
+        const Stopwatch watch;
         first_timed = render(place.frames[frame]) + 1;
+        if (frame >= warmup - warmup / 2) frame_ms.push_back(1e3 * watch.seconds());
+    }
     first_timed -= warmup / 2;
     Measurement result;
+    result.frame_ms = median(std::move(frame_ms));
     result.pictures = stand_still(place.measured(), frames);
 
     std::vector<std::vector<double>> times(std::size(vkpt::pass_names));

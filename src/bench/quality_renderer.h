@@ -26,6 +26,9 @@ struct Measurement {
     // Median milliseconds by pass (the order of refresh/vkpt/passes.h) over the second half of the
     // warm-up and the measured frames; 0 where the pass did not run.
     std::vector<double> pass_ms;
+    // Median milliseconds from one frame to the next over the second half of the warm-up: what the
+    // host does for a frame counts where the device waits for it. NaN without a warm-up.
+    double frame_ms = 0.0;
     // Of the last frame: shares of the primary hits that have something to light, NaN where no
     // light is sampled: whose light sample contributed nothing, and whose sample looked for new
     // lights.

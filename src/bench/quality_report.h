@@ -24,6 +24,7 @@ struct RowResult {
     Strata unlit, explored;      // shares of primary hits
     std::vector<Strata> pass_ms; // by pass
     Strata prepare_ms, path_ms;  // sums: passes of guiding; primary, direct and indirect
+    Strata frame_ms;             // whole frames, by the clock of the host
 };
 
 /// A place and the reference it was measured against.
@@ -64,6 +65,10 @@ inline constexpr double settled_factor = 1.1;
 
 /// The settled error of a curve and the frame where it is reached.
 Settled settled_of(const std::vector<Strata>& curve);
+
+/// The ratio of errors when both rows may take as long: variance falls with the number of samples, so
+/// it is that at equal samples times that of the frames' times.
+Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result);
 std::string curve_text(const QualityOptions& options, const CurveResult& result);

@@ -163,6 +163,22 @@ std::string time_table(const QualityOptions& options, const LevelResult& result)
     return text;
 }
 
+std::string equal_time_table(const QualityOptions& options, const LevelResult& result) {
+    const RowResult& baseline = baseline_of(options, result);
+    std::string text = fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n",
+                                   "  equal time", "frame, ms", "/ " + options.baseline, "95%",
+                                   "MSE", "95%", "trimmed", "95%");
+    for (const RowResult& row : result.rows) {
+        const Interval time = median_ratio(row.frame_ms, baseline.frame_ms);
+        const Interval mse = equal_time(row, baseline, &RowResult::mse);
+        const Interval trimmed = equal_time(row, baseline, &RowResult::trimmed_mse);
+        text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n",
+                            row.row.label, median_of(row.frame_ms), number(time.value), range(time),
+                            number(mse.value), range(mse), number(trimmed.value), range(trimmed));
+    }
+    return text;
+}
+
 std::string settled_text(const std::string& label, const Settled& settled, int frames) {
     const std::string when = settled.frame > frames
                                  ? "never stays"
@@ -179,6 +195,11 @@ std::string heading(const QualityOptions& options, const std::string& level,
 }
 
 } // namespace
+
+Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
+    return product(ratio_interval(row.*error, baseline.*error),
+                   median_ratio(row.frame_ms, baseline.frame_ms));
+}
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result) {
     std::string text = heading(options, result.level, result.views);
@@ -202,7 +223,7 @@ std::string quality_text(const QualityOptions& options, const LevelResult& resul
             [](const RowResult& row) { return mean_interval(row.bright_variance).value; });
     }
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
-            time_table(options, result);
+            time_table(options, result) + '\n' + equal_time_table(options, result);
     if (result.nonfinite > 0)
         text +=
             fmt::format("  {} radiance values were not finite and count as 0\n", result.nonfinite);

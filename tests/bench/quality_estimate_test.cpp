@@ -42,6 +42,18 @@ Strata constant(double value) {
 
 } // namespace
 
+TEST(Intervals, OfAProductAddTheirLogarithms) {
+    const Interval result = product({2.0, 1.0, 4.0}, {3.0, 3.0, 3.0});
+    EXPECT_DOUBLE_EQ(result.value, 6.0);
+    EXPECT_DOUBLE_EQ(result.low, 3.0);
+    EXPECT_DOUBLE_EQ(result.high, 12.0);
+    const double three_four_five = product({1.0, std::exp(-3.0), std::exp(3.0)},
+                                           {1.0, std::exp(-4.0), std::exp(4.0)})
+                                       .high;
+    EXPECT_NEAR(std::log(three_four_five), 5.0, 1e-12);
+    EXPECT_TRUE(std::isnan(product({1.0, NAN, NAN}, {1.0, 0.5, 2.0}).low));
+}
+
 TEST(PictureError, KnowsTheBrightPart) {
     // Ten pixels of which one is bright; errors of 1 there and 2 elsewhere.
     Reference reference(30);
