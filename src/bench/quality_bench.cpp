@@ -81,7 +81,8 @@ ViewResult make_reference(const QualityOptions& options, QualityRenderer& render
             reference.picture_mean_error(),
             reference.mean_variance(),
             relative_variance(reference),
-            smallest_mse(pictures, reference)};
+            smallest_mse(pictures, reference),
+            {}};
 }
 
 double sum_of_passes(const Measurement& measured, vkpt::Pass first, vkpt::Pass last) {
@@ -139,6 +140,10 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
         Reference reference(pictures[0][0][0].size());
         result.views.push_back(
             make_reference(options, renderer, place, progress, reference, pictures));
+        if (options.floor) {
+            progress.note("the floor");
+            result.views.back().floor = renderer.floor(place);
+        }
         for (std::size_t row = 0; row < pictures.size(); ++row) {
             for (const Run& run : pictures[row]) {
                 const PictureError error = mean_error(run, reference);

@@ -55,6 +55,10 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
                           {"variance", view.variance},
                           {"relative_variance", view.relative_variance},
                           {"smallest_mse", view.smallest_mse}}}});
+        if (view.floor.pixels > 0)
+            list.back()["floor"] = {{"variance", view.floor.variance},
+                                    {"error", view.floor.error},
+                                    {"pixels", view.floor.pixels}};
     }
     return list;
 }
@@ -105,6 +109,7 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         json["mse"]["ratio_at_equal_time"] = to_json(equal_time(row, *baseline, &RowResult::mse));
         json["trimmed_mse"]["ratio_at_equal_time"] =
             to_json(equal_time(row, *baseline, &RowResult::trimmed_mse));
+        if (options.floor) json["floor_over_mse"] = to_json(share_of_floor(result.views, row));
         ordered_json passes = ordered_json::object();
         for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
             passes[std::string(vkpt::pass_names[pass])] = row.pass_ms[pass];

@@ -16,7 +16,8 @@ constexpr std::string_view usage =
     "--level NAME, --basedir FOLDER, --shared, --views N, --seeds S, --first-seed N, --warmup W, "
     "--frames N, --size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, "
     "--baseline "
-    "LABEL, --reference ROW, --reference-paths N, --fresh, --curve, --curve-frames N, --quick, "
+    "LABEL, --reference ROW, --reference-paths N, --fresh, --floor, --curve, --curve-frames N, "
+    "--quick, "
     "--json FILE";
 
 bool is_technique(std::string_view name) {
@@ -143,12 +144,19 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--reference-paths",
          [&] { count("--reference-paths", options.reference_paths, 2, 100000000); }},
         {"--fresh", [&] { options.fresh = true; }},
+        {"--floor", [&] { options.floor = true; }},
         {"--curve", [&] { options.curve = true; }},
         {"--curve-frames", [&] { count("--curve-frames", options.curve_frames, 9, 900); }},
         {"--json", [&] { options.json = value(); }},
     };
     if (std::ranges::find(arguments, "--quick") != arguments.end()) set_quick(options);
     words.run(actions, usage);
+    if (options.floor && options.curve) fail("--floor and --curve are two experiments");
+    // Light that no technique samples is not for the floor to explain.
+    if (options.floor)
+        options.settings.insert(
+            options.settings.begin(),
+            {{"pt_bounces", "0"}, {"pt_sky_scale", "0"}, {"pt_sun_scale", "0"}});
     if (!levels.empty()) options.levels = std::move(levels);
     complete(options, std::move(techniques), variants);
     return options;

@@ -29,15 +29,16 @@ struct QualityOptions {
     std::vector<std::filesystem::path> basedirs; // the first that has the level is taken
     std::vector<Setting> settings;               // for all rows and references
     std::vector<QualityRow> rows;
-    std::string baseline;          // label of the row that others are compared with
-    QualityRow reference;          // renders references
-    int views = 4;                 // places per level
-    int seeds = 8;                 // repeats
-    int first_seed = 1;            // pt_seed of the first
-    int warmup = 16;               // frames before the measured ones
-    int frames = 1;                // measured in each run
-    glm::ivec2 size{320, 180};     // pixels
-    int reference_paths = 1024;    // most paths per pixel of a reference
+    std::string baseline;       // label of the row that others are compared with
+    QualityRow reference;       // renders references
+    int views = 4;              // places per level
+    int seeds = 8;              // repeats
+    int first_seed = 1;         // pt_seed of the first
+    bool floor = false;         // direct light alone, and the best that a choice of lights can do
+    int warmup = 16;            // frames before the measured ones
+    int frames = 1;             // measured in each run
+    glm::ivec2 size{320, 180};  // pixels
+    int reference_paths = 1024; // most paths per pixel of a reference
     double reference_share = 0.02; // of the smallest MSE: variance that a reference may have
     bool fresh = false;            // references are made anew
     bool curve = false;            // error per frame from an empty cache, standing still

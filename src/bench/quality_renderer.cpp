@@ -159,6 +159,12 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
     return result;
 }
 
+LightFloor QualityRenderer::floor(const Place& place) {
+    begin_run({"sll", {{"pt_nee", "sll"}}}, first_reference_seed - 1);
+    render(place.measured());
+    return measure_light_floor(*renderer_, {});
+}
+
 std::vector<std::vector<float>> QualityRenderer::stand_still(const Pose& pose, int frames) {
     std::vector<std::vector<float>> pictures;
     for (int frame = 0; frame < frames; ++frame) {

@@ -3,6 +3,7 @@
 // frames that start with empty caches, and batches of references. It computes no statistics.
 #pragma once
 
+#include "bench/light_floor.h"
 #include "bench/quality_options.h"
 #include "bench/quality_places.h"
 #include "bench/reference.h"
@@ -51,6 +52,8 @@ public:
     /// Renders the warm-up and the measured frames from empty caches; frames after the first stand
     /// still.
     Measurement measure(const Place& place, const QualityRow& row, int seed, int frames);
+    /// The least error that any choice of lights can have at the place; changes pt_nee.
+    LightFloor floor(const Place& place);
     /// Sets a row's variables and empties all caches, for stand_still().
     void begin_run(const QualityRow& row, int seed);
     /// The pictures of `frames` >= 1 more frames that stand still at the pose.

@@ -3,6 +3,7 @@
 // number has its interval and the reference's error beside it. No GPU.
 #pragma once
 
+#include "bench/light_floor.h"
 #include "bench/quality_estimate.h"
 #include "bench/quality_options.h"
 #include "bench/quality_places.h"
@@ -38,6 +39,7 @@ struct ViewResult {
     double variance = 0.0; // mean over pixels and channels; taken off every MSE
     double relative_variance = 0.0;
     double smallest_mse = 0.0; // of the rows here
+    LightFloor floor;          // with --floor
 };
 
 struct LevelResult {
@@ -66,9 +68,12 @@ inline constexpr double settled_factor = 1.1;
 /// The settled error of a curve and the frame where it is reached.
 Settled settled_of(const std::vector<Strata>& curve);
 
-/// The ratio of errors when both rows may take as long: variance falls with the number of samples, so
-/// it is that at equal samples times that of the frames' times.
+/// The ratio of errors when both rows may take as long: variance falls with the number of samples,
+/// so it is that at equal samples times that of the frames' times.
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
+
+/// The floor over a row's error: 1 is a perfect choice of lights.
+Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row);
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result);
 std::string curve_text(const QualityOptions& options, const CurveResult& result);

@@ -165,9 +165,9 @@ std::string time_table(const QualityOptions& options, const LevelResult& result)
 
 std::string equal_time_table(const QualityOptions& options, const LevelResult& result) {
     const RowResult& baseline = baseline_of(options, result);
-    std::string text = fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n",
-                                   "  equal time", "frame, ms", "/ " + options.baseline, "95%",
-                                   "MSE", "95%", "trimmed", "95%");
+    std::string text =
+        fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n", "  equal time",
+                    "frame, ms", "/ " + options.baseline, "95%", "MSE", "95%", "trimmed", "95%");
     for (const RowResult& row : result.rows) {
         const Interval time = median_ratio(row.frame_ms, baseline.frame_ms);
         const Interval mse = equal_time(row, baseline, &RowResult::mse);
@@ -175,6 +175,21 @@ std::string equal_time_table(const QualityOptions& options, const LevelResult& r
         text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n",
                             row.row.label, median_of(row.frame_ms), number(time.value), range(time),
                             number(mse.value), range(mse), number(trimmed.value), range(trimmed));
+    }
+    return text;
+}
+
+std::string floor_table(const LevelResult& result) {
+    std::string text = "  floor: the error that the best choice of one light leaves\n";
+    for (const ViewResult& view : result.views)
+        text +=
+            fmt::format("  {:<20}{:>14} +- {} ({} pixels)\n", view.place.name,
+                        number(view.floor.variance), number(view.floor.error), view.floor.pixels);
+    text += fmt::format("{:<14}{:>12}  {:<20}\n", "  row", "floor / MSE", "95%");
+    for (const RowResult& row : result.rows) {
+        const Interval share = share_of_floor(result.views, row);
+        text += fmt::format("  {:<12}{:>12}  {:<20}\n", row.row.label, number(share.value),
+                            range(share));
     }
     return text;
 }
@@ -195,6 +210,19 @@ std::string heading(const QualityOptions& options, const std::string& level,
 }
 
 } // namespace
+
+Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row) {
+    Strata floors;
+    double variance = 0.0, squared_error = 0.0;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        const LightFloor& floor = views[view].floor;
+        floors.emplace_back(row.mse[view].size(), floor.variance);
+        variance += floor.variance;
+        squared_error += floor.error * floor.error;
+    }
+    const double share = std::sqrt(squared_error) / variance;
+    return product(ratio_interval(floors, row.mse), widened({1.0, 1.0, 1.0}, share));
+}
 
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
     return product(ratio_interval(row.*error, baseline.*error),
@@ -224,6 +252,7 @@ std::string quality_text(const QualityOptions& options, const LevelResult& resul
     }
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
             time_table(options, result) + '\n' + equal_time_table(options, result);
+    if (options.floor) text += '\n' + floor_table(result);
     if (result.nonfinite > 0)
         text +=
             fmt::format("  {} radiance values were not finite and count as 0\n", result.nonfinite);

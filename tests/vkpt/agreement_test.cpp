@@ -34,7 +34,7 @@ protected:
     /// Results of probe.comp for these arguments.
     static std::vector<glm::vec4> probe(uint32_t function,
                                         const std::vector<glm::vec4>& arguments) {
-        TestPass pass(renderer(), "probe");
+        vkpt::SidePass pass = test_pass(renderer(), "probe", renderer().scene()->features());
         pass.add_buffer(gpu::bytes_of(arguments));
         pass.add_buffer(arguments.size() * sizeof(glm::vec4));
         const auto count = static_cast<uint32_t>(arguments.size());

@@ -59,7 +59,7 @@ protected:
 
     /// What a shot's hits say against the oracle, for all shapes of the hierarchy.
     void judge(const Shot& shot, size_t least_lights) {
-        TestPass pass = light_technique_pass(renderer(), "lh");
+        vkpt::SidePass pass = light_technique_pass(renderer(), "lh");
         for (const TechniqueSettings& settings : technique_settings()) {
             if (settings.technique != "lh") continue;
             SCOPED_TRACE(settings.label);

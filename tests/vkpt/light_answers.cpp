@@ -27,13 +27,13 @@ double LightAnswers::sum(size_t pixel) const {
     return total;
 }
 
-TestPass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique) {
+vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique) {
     vkpt::SceneFeatures features; // of any scene
     features.instances = features.translucent = features.lights = true;
-    return TestPass(renderer, fmt::format("light_technique.{}", technique), features);
+    return test_pass(renderer, fmt::format("light_technique.{}", technique), features);
 }
 
-void add_light_buffers(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t batches) {
+void add_light_buffers(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint32_t batches) {
     const size_t pixels = pixel_count(renderer);
     pass.clear_buffers();
     pass.add_buffer(pixels * (light_count(renderer) + 1) * sizeof(LightAnswer));
@@ -41,12 +41,14 @@ void add_light_buffers(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t ba
     pass.add_buffer((1 + pixels) * sizeof(float));
 }
 
-void run_at_pixels(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t depth, glm::uvec2 push) {
+void run_at_pixels(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint32_t depth,
+                   glm::uvec2 push) {
     const glm::uvec2 tiles = (renderer.path_tracer().size() + 7u) / 8u;
     pass.run({tiles, depth}, push);
 }
 
-LightAnswers ask_lights(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t draws_per_pixel) {
+LightAnswers ask_lights(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer,
+                        uint32_t draws_per_pixel) {
     constexpr uint32_t lights_at_once = 128;
     const size_t pixels = pixel_count(renderer);
     LightAnswers answers;

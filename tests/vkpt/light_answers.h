@@ -37,16 +37,18 @@ struct LightAnswers {
 };
 
 /// light_technique.comp with a technique, for scenes of all features that lights can have.
-TestPass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique);
+vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique);
 
 /// Its buffers, for so many batches of radiance; those of before are forgotten.
-void add_light_buffers(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t batches);
+void add_light_buffers(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint32_t batches);
 
 /// Runs it at all pixels, `depth` invocations each, with two push constants.
-void run_at_pixels(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t depth, glm::uvec2 push);
+void run_at_pixels(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint32_t depth,
+                   glm::uvec2 push);
 
 /// Asks for the probability of every light, and how often each is drawn.
-LightAnswers ask_lights(TestPass& pass, vkpt::VkptRenderer& renderer, uint32_t draws_per_pixel);
+LightAnswers ask_lights(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer,
+                        uint32_t draws_per_pixel);
 
 /// Bins for a chi-square: at least ten expected draws each, what is rarer together.
 class SelectionBins {

@@ -119,7 +119,7 @@ protected:
         return result;
     }
 
-    std::optional<TestPass> pass_;
+    std::optional<vkpt::SidePass> pass_;
 };
 
 /// Distance of a sum of probabilities from the nearest that is possible.

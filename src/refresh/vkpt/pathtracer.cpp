@@ -24,18 +24,17 @@ std::vector<VkDescriptorType> scene_binding_types(bool ray_query) {
     return types;
 }
 
-/// Constant ids of trace/trace.glsl and pathtrace/frame.glsl.
-std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
-    return {{0, features.instances},  {1, features.translucent}, {8, features.sky},
-            {9, features.sun},        {10, features.gloss},      {11, features.liquid},
-            {12, features.animation}, {13, features.lights}};
-}
-
 std::string technique_name(const PathTracerVariant& variant) {
     return std::string(technique_infos[static_cast<size_t>(variant.technique)].name);
 }
 
 } // namespace
+
+std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
+    return {{0, features.instances},  {1, features.translucent}, {8, features.sky},
+            {9, features.sun},        {10, features.gloss},      {11, features.liquid},
+            {12, features.animation}, {13, features.lights}};
+}
 
 PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache,
                        VkDescriptorSetLayout guiding)

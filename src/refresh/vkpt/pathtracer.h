@@ -22,6 +22,9 @@ struct PathTracerVariant {
     bool operator==(const PathTracerVariant&) const = default;
 };
 
+/// The features as constants of shaders: the ids of trace/trace.glsl and pathtrace/frame.glsl.
+std::vector<gpu::Specialization> specialization(const SceneFeatures& features);
+
 class PathTracer {
 public:
     /// `guiding` is the layout of set 2.

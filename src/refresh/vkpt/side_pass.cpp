@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/side_pass.h"
+
+#include <array>
+#include <utility>
+
+namespace vigil::vkpt {
+
+SidePass::SidePass(VkptRenderer& renderer, std::span<const uint32_t> code, std::string name,
+                   const SceneFeatures& features)
+    : renderer_(renderer), device_(renderer.device()), code_(code), name_(std::move(name)),
+      features_(features), unused_(device_, 16, gpu::MemoryUse::Device, "unused") {}
+
+void SidePass::add_buffer(std::span<const std::byte> bytes) {
+    buffers_.push_back(gpu::make_buffer(device_, bytes, name_.c_str()));
+}
+
+void SidePass::add_buffer(size_t bytes) {
+    add_buffer(std::vector<std::byte>(bytes));
+}
+
+void SidePass::make_pipeline() {
+    const std::vector<VkDescriptorType> own_types(buffers_.size(),
+                                                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    set_ = gpu::DescriptorSet(device_, own_types, unused_, name_.c_str());
+    const auto [scene_layout, technique_layout, guiding_layout] =
+        renderer_.path_tracer().set_layouts();
+    layout_ = gpu::make_pipeline_layout(
+        device_, std::array{scene_layout, technique_layout, guiding_layout, set_.layout()});
+    pipeline_ = {device_, layout_.get(), nullptr, code_, specialization(features_), name_.c_str()};
+}
+
+void SidePass::run(glm::uvec3 groups, glm::uvec2 push) {
+    if (!pipeline_) make_pipeline();
+    device_.wait_idle();
+    for (uint32_t i = 0; i < buffers_.size(); ++i)
+        set_.bind(i, buffers_[i]);
+    gpu::run_now(device_, [&](VkCommandBuffer commands) {
+        const std::array sets{renderer_.path_tracer().scene_set(),
+                              renderer_.path_tracer().technique_set(), renderer_.guiding().set(),
+                              set_.handle()};
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
+                                static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
+        pipeline_.bind(commands);
+        vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
+                           &push);
+        vkCmdDispatch(commands, groups.x, groups.y, groups.z);
+        gpu::full_barrier(commands);
+    });
+}
+
+} // namespace vigil::vkpt
