@@ -71,12 +71,12 @@ SurfaceLeaves find_leaves(Surface surface) {
     return SurfaceLeaves(0u, 0u); // not reached
 }
 
-/// Stores a light sample, if the leaf has room; counts it in any case.
-void store_light_sample(uint leaf, uint light, bool visible) {
+/// Stores a light sample (LIGHT_SAMPLE_*), if the leaf has room; counts it in any case.
+void store_light_sample(uint leaf, uint light_sample) {
     const uint number = atomicAdd(leaves[leaf_word(LEAF_COUNT, 1u, leaf)], 1u);
     const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
     if (number >= leaves[storage + 1u]) return;
-    light_samples[leaves[storage] + number] = light | (visible ? LIGHT_SAMPLE_VISIBLE : 0u);
+    light_samples[leaves[storage] + number] = light_sample;
 }
 
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.

@@ -108,6 +108,8 @@ void main() {
     for (uint word = 0u; word < settings.sum_words; ++word)
         new_leaves[leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, leaf) + word] =
             old_leaves[leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, source) + word];
+    for (uint word = 0u; word < 2u; ++word)
+        new_leaves[leaf_word(LEAF_EXPLORE, 2u, leaf) + word] = old_leaves[leaf_word(LEAF_EXPLORE, 2u, source) + word];
     const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
     const uint old_cache = leaf_word(LEAF_VLC, 2u, source);
     new_leaves[cache] = old_leaves[old_cache];

@@ -63,12 +63,12 @@ LightChoice choose_light(Surface surface, inout Random random) {
     }
     if (reservoir.chosen == NONE) return no_light();
     LightChoice choice = light_choice(reservoir.chosen, reservoir.chosen_importance / (reservoir.sum * float(stride)));
-    if (frame.cvars.pt_sll_stats != 0) choice.memory = slot_of_light(weights, choice.light);
+    if (frame.cvars.pt_sll_stats != 0) choice.memory.x = slot_of_light(weights, choice.light);
     return choice;
 }
 
 void learn_light(LightChoice choice, uint outcome) {
-    if (frame.cvars.pt_sll_stats != 0 && outcome != LIGHT_UNTRIED) count_shadow_ray(choice.memory, outcome == LIGHT_SHADOWED);
+    if (frame.cvars.pt_sll_stats != 0 && outcome != LIGHT_UNTRIED) count_shadow_ray(choice.memory.x, outcome == LIGHT_SHADOWED);
 }
 
 float light_probability(Surface surface, uint light) {

@@ -25,11 +25,11 @@ struct LightChoice {
     uint light;    // id, or NONE: there is nothing to sample here
     float weight;  // above 0: 1 / probability of the draw, or an unbiased estimate of that
     bool explored; // drawn by a second technique that only looks for new lights
-    uint memory;   // where learn_light puts what became of it: the technique's business
+    uvec2 memory;  // where learn_light puts what became of it: the technique's business
 };
 
 /// A draw with an estimated weight.
-LightChoice weighted_choice(uint light, float weight) { return LightChoice(light, weight, false, 0u); }
+LightChoice weighted_choice(uint light, float weight) { return LightChoice(light, weight, false, uvec2(0u)); }
 
 /// A draw whose probability is known, in (0, 1]; any for NONE.
 LightChoice light_choice(uint light, float probability) {

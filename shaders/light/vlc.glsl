@@ -2,7 +2,8 @@
 // Technique `vlc`: the Visibility Light Cache (paper, section 4.2 and algorithm 1). A bucket of the surface's cache is drawn, and in it a light in
 // proportion to its importance. A fraction pt_vlc_explore of the draws looks for lights that no sample has seen lately instead:
 //   - pt_explore_local of it walks the lights of the surface's PVS cluster, as `sll` does. What the cache has already is thrown away, so
-//     that no light needs the probabilities of two walks;
+//     that no light needs the probabilities of two walks. Where such walks find much that the cache lacks (more lights than a leaf has
+//     samples for), more of the draws are walks (pt_vlc_adapt, ExploreMemory);
 //   - the rest takes any light of the level from a table weighted anew each frame (paper, section 4.3).
 // Every draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
 // nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability.
@@ -104,11 +105,21 @@ struct Shares {
     float table;
 };
 
-Shares technique_shares(bool shines, LightList list) {
+/// Share of the draws that should walk lists, by what they found lately.
+float wanted_walks(uint leaf) {
+    if (frame.cvars.pt_vlc_adapt == 0) return 0.0;
+    const uint words = leaf_word(LEAF_EXPLORE, 2u, leaf);
+    return explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
+}
+
+Shares technique_shares(bool shines, uint leaf, LightList list) {
     const float explore = shines ? frame.cvars.pt_vlc_explore : 1.0;
     const float local = alias_count == 0u ? 1.0 : frame.cvars.pt_explore_local;
-    const float by_list = list.count > 0u ? explore * local : 0.0;
-    return Shares(1.0 - explore, by_list, explore - by_list);
+    if (list.count == 0u || local == 0.0) return Shares(1.0 - explore, 0.0, explore);
+    const float table = explore * (1.0 - local);
+    float by_list = explore * local;
+    if (shines) by_list = max(by_list, (1.0 - table) * wanted_walks(leaf));
+    return Shares(1.0 - table - by_list, by_list, table);
 }
 
 /// Everything that the draws of a surface have in common.
@@ -126,7 +137,7 @@ LightSearch prepare_search(Surface surface, uint leaf) {
     search.cache = find_light_cache(leaf);
     search.list = find_light_list(surface);
     search.list_stride = max(list_stride(search.list, bucket_size()), 1u);
-    search.shares = technique_shares(may_shine(search.cache, search.prepared), search.list);
+    search.shares = technique_shares(may_shine(search.cache, search.prepared), leaf, search.list);
     return search;
 }
 
@@ -172,13 +183,19 @@ LightChoice choose_light(Surface surface, inout Random random) {
 
     LightChoice choice = weighted_choice(tabled, 0.0);
     choice.explored = !from_cache;
-    choice.memory = found.samples;
+    choice.memory.x = found.samples;
+    choice.memory.y = from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED;
+    if (from_list)
+        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_worth(walk.reservoir.sum * float(search.list_stride));
     float importance = walk.sought_importance;
     if (from_cache || from_list) {
         choice.light = walk.reservoir.chosen;
         importance = walk.reservoir.chosen_importance;
         // The cache draws this light, and better.
-        if (from_list && choice.light != NONE && is_cached(search.cache, choice.light)) choice.light = NONE;
+        if (from_list && choice.light != NONE && is_cached(search.cache, choice.light)) {
+            choice.light = NONE;
+            choice.memory.y |= LIGHT_SAMPLE_KNOWN;
+        }
     }
     if (choice.light == NONE) return choice;
     const float probability = mixture_probability(search, cached, choice.light, importance, walk.reservoir.sum);
@@ -189,7 +206,8 @@ LightChoice choose_light(Surface surface, inout Random random) {
 }
 
 void learn_light(LightChoice choice, uint outcome) {
-    store_light_sample(choice.memory, choice.light == NONE ? LIGHT_SAMPLE_NONE : choice.light, outcome == LIGHT_SEEN);
+    const uint light = min(choice.light, LIGHT_SAMPLE_NONE); // no light, or one of too many to remember
+    store_light_sample(choice.memory.x, light | choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
 }
 
 float light_probability(Surface surface, uint light) {

@@ -94,6 +94,8 @@
         "vlc: most lights weighted per hit; caches with more have several buckets") \
     GPU_REAL(pt_vlc_explore, Session, 0.05, 0.01, 1.0, \
         "vlc: share of light samples that look for lights not in the cache") \
+    GPU_INTEGER(pt_vlc_adapt, Session, 1, 0, 1, \
+        "vlc: 1: where looking for lights finds much that a cache lacks, a larger share of samples does; 0: the same everywhere, as the paper") \
     REAL(pt_vlc_hysteresis, Session, 0.75, 0.0, 1.0, \
         "vlc: buckets must be emptier than this share before their number falls") \
     INTEGER(pt_vlc_merge, Session, 1, 0, 1, "vlc: 1: caches take over their neighbours' lights") \

@@ -32,8 +32,9 @@ SHADER_CONST uint LEAF_CACHED =
     13u; // 1 word: lights in the cache, and LEAF_INHERITED if they are those of a larger leaf
 SHADER_CONST uint LEAF_RAYS = 14u;  // 1 word: ray samples that fell into the leaf
 SHADER_CONST uint LEAF_CDQ = 15u;   // 4 words: directional quadtree (cdq.h)
-SHADER_CONST uint LEAF_WORDS = 19u; // per leaf altogether, but for the next one:
-SHADER_CONST uint LEAF_SUMS = 19u;  // CDQ_SUM_WORDS words, only where rays are guided: what the
+SHADER_CONST uint LEAF_EXPLORE = 19u; // 2 words: ExploreMemory
+SHADER_CONST uint LEAF_WORDS = 21u; // per leaf altogether, but for the next one:
+SHADER_CONST uint LEAF_SUMS = 21u;  // CDQ_SUM_WORDS words, only where rays are guided: what the
                                     // quadtree's leaves contributed lately, two per word
 SHADER_CONST uint CDQ_SUM_WORDS = 64u;
 
@@ -55,15 +56,79 @@ SHADER_FN uint leaf_array_word(uint array, uint width, uint leaf, uint node_capa
     return array * (8u * node_capacity) + width * leaf;
 }
 
-/// A light sample: light id, and this bit if the light was seen.
+/// A light sample: light id, how it was drawn, a power of two that a draw from a list comes with, and one
+/// bit if the surface saw the light.
 SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
-/// What is stored when there was no light to sample; light ids are smaller.
-SHADER_CONST uint LIGHT_SAMPLE_NONE = 0x07ffffffu;
+SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u; // one of the next four
+SHADER_CONST uint LIGHT_SAMPLE_CACHED = 0u;          // from the cache
+SHADER_CONST uint LIGHT_SAMPLE_TABLED = 0x20000000u; // from the table of all lights
+SHADER_CONST uint LIGHT_SAMPLE_LISTED = 0x40000000u; // from the list of the surface's cluster
+SHADER_CONST uint LIGHT_SAMPLE_KNOWN = 0x60000000u;  // the same, but thrown away: the cache has it
+SHADER_CONST uint LIGHT_SAMPLE_WORTH_SHIFT = 22u;
+SHADER_CONST uint LIGHT_SAMPLE_ID_MASK = 0x003fffffu;
+/// What is stored when there was no light to sample, or one with a larger id, which no cache learns.
+SHADER_CONST uint LIGHT_SAMPLE_NONE = LIGHT_SAMPLE_ID_MASK;
+
+/// The power of two next to `worth`, within 2^-64 .. 2^63, in place; 0 counts as the least.
+SHADER_FN uint light_sample_worth(float worth) {
+    const float power = clamp(floor(log2(max(worth, 1e-30f)) + 64.5f), 0.0f, 127.0f);
+    return uint(power) << LIGHT_SAMPLE_WORTH_SHIFT;
+}
+
+SHADER_FN float light_sample_worth_of(uint light_sample) {
+    return exp2(float((light_sample >> LIGHT_SAMPLE_WORTH_SHIFT) & 127u) - 64.0f);
+}
 
 /// An entry of a cache: light id, and above it for how many frames no sample has seen the light.
 SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
 SHADER_CONST uint VLC_AGE_SHIFT = 27u;
 SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
+
+/// What a leaf's draws from lists were worth, in running sums over its last hundred or so, and what follows
+/// from it: `share` of all draws should be from lists.
+///
+/// A draw's worth is what the list would shine if all of it were like the light drawn: importance over
+/// probability. Its mean over draws of lights in the cache is what those shine, C / s, if a part s of
+/// them is seen; over draws of other lights that were seen its mean square is the second moment M that
+/// they have when lists alone are drawn from. If lists get a part a of the draws, light of the
+/// cache has the second moment C^2 / ((1 - a) s), the others' is M / a, and the sum is least for a / (1 - a)
+/// = sqrt(M s) / C.
+struct ExploreMemory {
+    float listed; // draws from lists
+    float known;  // sum of the worth of those in the cache
+    float found;  // sum of squares of the worth of the others that were seen
+    float share;  // at most EXPLORE_MOST
+};
+SHADER_CONST float EXPLORE_DRAWS = 48.0f;
+SHADER_CONST float EXPLORE_MOST = 0.9f;
+
+SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
+    ExploreMemory memory;
+    memory.listed = unpack_sum(words.x, 0u);
+    memory.known = unpack_sum(words.x, 1u);
+    memory.found = unpack_sum(words.y, 0u);
+    memory.share = unpack_sum(words.y, 1u);
+    return memory;
+}
+
+SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
+    return uvec2(pack_sums(memory.listed, memory.known), pack_sums(memory.found, memory.share));
+}
+
+/// The memory after a frame with these sums of its own, and with `drawn` draws from the cache of which the
+/// surface saw `seen`.
+SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float known, float found,
+                                       uint drawn, uint seen) {
+    // Many new draws leave little of the old: an empty cache is full a frame later.
+    const float kept = max(1.0f - listed / EXPLORE_DRAWS, 0.0f);
+    memory.listed = kept * memory.listed + listed;
+    memory.known = kept * memory.known + known;
+    memory.found = kept * memory.found + found;
+    const float seen_share = float(seen + 1u) / float(drawn + 1u); // 1 where nothing was drawn
+    const float odds = sqrt(memory.found * memory.listed / seen_share);
+    memory.share = odds > 0.0f ? min(odds / (odds + memory.known), EXPLORE_MOST) : 0.0f;
+    return memory;
+}
 
 /// A ray sample, 4 bytes: the cell of its direction on the grid of the smallest quadtree leaves,
 /// and what it contributed, in quarters of a power of two from 2^-32 on. It decides where to look,

@@ -158,7 +158,11 @@ void GuidingTest::ask_oracle() {
     for (const auto& [path, leaf] : state_.leaves) {
         counts[path] = leaf.count;
         samples[path] = {std::span(state_.samples).subspan(leaf.first_sample, leaf.kept()),
-                         leaf.count, leaf.buckets, leaf.cached, leaf.inherited};
+                         leaf.count,
+                         leaf.buckets,
+                         leaf.cached,
+                         leaf.inherited,
+                         leaf.explored};
     }
     tree_ = adapt(
         state_.inner, counts,

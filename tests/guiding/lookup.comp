@@ -21,6 +21,6 @@ void main() {
     surface.position = query.position;
     surface.instance = query.instance;
     const SurfaceLeaves found = find_leaves(surface);
-    store_light_sample(found.samples, query.light, query.visible != 0u);
+    store_light_sample(found.samples, query.light | (query.visible != 0u ? LIGHT_SAMPLE_VISIBLE : 0u));
     answers[index] = uvec2(found.cache, found.samples);
 }

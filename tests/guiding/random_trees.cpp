@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace vigil::test {
 namespace {
@@ -101,12 +102,14 @@ InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep) {
 
 uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t first,
                              uint32_t different) {
-    if (dice.chance(0.05)) return shader::LIGHT_SAMPLE_NONE;
+    // Drawn in one of four ways, with a power of two that matters to two of them.
+    const uint32_t drawn = dice.below(4) << 29 | (40 + dice.below(50)) << 22;
+    if (dice.chance(0.05)) return shader::LIGHT_SAMPLE_NONE | drawn;
     // Some lights are never seen, others always.
     const uint32_t which = dice.below(different);
     const bool visible = which % 7 != 3 && dice.chance(lights.visible);
     const uint32_t id = first - lights.stride * which;
-    return visible ? id | shader::LIGHT_SAMPLE_VISIBLE : id;
+    return id | drawn | (visible ? shader::LIGHT_SAMPLE_VISIBLE : 0);
 }
 
 TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights& lights,
@@ -148,6 +151,12 @@ TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights
         for (uint32_t i = 0; i < leaf.kept(); ++i)
             state.samples[leaf.first_sample + i] =
                 random_light_sample(dice, lights, first, different);
+
+        for (double Explored::*sum : {&Explored::listed, &Explored::known, &Explored::found})
+            leaf.explored.*sum =
+                dice.chance(0.2)
+                    ? 0.0
+                    : std::ldexp(128 + dice.below(128), static_cast<int>(dice.below(20)) - 10);
 
         leaf.first_light = cached;
         random_cache(dice, lights, settings, first, different, leaf, state.caches);

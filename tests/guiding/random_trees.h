@@ -25,6 +25,7 @@ struct LeafState {
     uint32_t buckets = 0;
     Ages cached;            // lights in the cache
     bool inherited = false; // the cache is a larger leaf's
+    Explored explored;      // as stored: what two bytes hold of each
     uint32_t rays = 0;      // ray samples that fell into it; they share the room
     Squares quadtree;       // empty where none are kept
     Sums remembered;        // of its leaves; empty where nothing is
@@ -49,7 +50,7 @@ struct RandomLights {
     uint32_t fewest = 1; // different lights in a leaf
     uint32_t most = 40;
     uint32_t stride = 1; // between ids
-    uint32_t largest = shader::VLC_ID_MASK - 1;
+    uint32_t largest = shader::LIGHT_SAMPLE_ID_MASK - 1;
     double visible = 0.5; // share of visible samples
 };
 

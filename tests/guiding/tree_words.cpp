@@ -104,6 +104,20 @@ void check_ranges(std::vector<Range> ranges, uint64_t capacity, const char* what
     }
 }
 
+/// The upper halves of two floats.
+uint32_t two_halves(double low, double high) {
+    return std::bit_cast<uint32_t>(static_cast<float>(low)) >> 16 |
+           (std::bit_cast<uint32_t>(static_cast<float>(high)) & 0xffff0000u);
+}
+
+Explored explored_at(const TreeWords& words, uint32_t leaf) {
+    const auto number = [&](uint32_t word, uint32_t shift) {
+        return static_cast<double>(
+            std::bit_cast<float>(words.at(LEAF_EXPLORE, 2, leaf, word) << shift & 0xffff0000u));
+    };
+    return {number(0, 16), number(0, 0), number(1, 16), number(1, 0)};
+}
+
 } // namespace
 
 TreeWords TreeWords::sized(uint32_t node_capacity, bool sums) {
@@ -163,6 +177,9 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         words.at(LEAF_VLC, 2, number, 1) = leaf.buckets;
         words.at(LEAF_CACHED, 1, number) =
             static_cast<uint32_t>(leaf.cached.size()) + (leaf.inherited ? LEAF_INHERITED : 0);
+        const Explored& explored = leaf.explored;
+        words.at(LEAF_EXPLORE, 2, number, 0) = two_halves(explored.listed, explored.known);
+        words.at(LEAF_EXPLORE, 2, number, 1) = two_halves(explored.found, explored.share);
         if (!state.rays.empty()) {
             words.at(LEAF_RAYS, 1, number) = leaf.rays;
             const glm::uvec4 field = field_of(leaf.quadtree);
@@ -260,6 +277,14 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
             found.add(fmt::format("{}: visible lights: expected {}, seen {}", where,
                                   cache.own.size(), visible));
 
+        // Draws from lists: floats of two bytes, whose error the share shares.
+        const Explored explored = explored_at(seen_old, number);
+        for (double Explored::*value :
+             {&Explored::listed, &Explored::known, &Explored::found, &Explored::share})
+            if (std::abs(explored.*value - cache.explored.*value) > 0.01 * cache.explored.*value)
+                found.add(fmt::format("{}: explored: expected {}, seen {}", where,
+                                      cache.explored.*value, explored.*value));
+
         // Buckets.
         const uint32_t cached = seen_old.at(LEAF_CACHED, 1, number);
         if (cached != cache.ages.size())
@@ -319,6 +344,10 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
                 seen_old.at(LEAF_SUMS, CDQ_SUM_WORDS, from, word))
                 found.add(fmt::format("{}: sums, word {}: not those of old {}", name(leaf, numbers),
                                       word, name(source, old_numbers)));
+        for (uint32_t word = 0; word < 2; ++word)
+            if (seen.at(LEAF_EXPLORE, 2, to, word) != seen_old.at(LEAF_EXPLORE, 2, from, word))
+                found.add(fmt::format("{}: explored, word {}: not that of old {}",
+                                      name(leaf, numbers), word, name(source, old_numbers)));
         const uint32_t cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size()) +
                                 (leaf.size() > source.size() ? LEAF_INHERITED : 0);
         if (seen.at(LEAF_CACHED, 1, to) != cached)
@@ -428,6 +457,7 @@ TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const Tre
         leaf.first_sample = seen.at(LEAF_STORAGE, 2, number, 0);
         leaf.room = seen.at(LEAF_STORAGE, 2, number, 1);
         leaf.inherited = path.size() > source.size();
+        leaf.explored = explored_at(seen, number);
         const auto cache = caches.by_leaf.find(source);
         if (cache == caches.by_leaf.end()) continue;
         leaf.first_light = seen.at(LEAF_VLC, 2, number, 0);

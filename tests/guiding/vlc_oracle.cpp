@@ -5,6 +5,7 @@
 #include "shared/guiding_types.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vigil::test {
 namespace {
@@ -35,10 +36,42 @@ Lights visible_lights(std::span<const uint32_t> kept) {
     Lights lights;
     for (size_t i = 0; i < stride.processed; ++i) {
         const uint32_t sample = kept[i * stride.step];
-        if (sample >= shader::LIGHT_SAMPLE_VISIBLE)
-            lights.insert(sample - shader::LIGHT_SAMPLE_VISIBLE);
+        if (sample >= shader::LIGHT_SAMPLE_VISIBLE) lights.insert(sample % (1u << 22));
     }
     return lights;
+}
+
+/// Memory of about 48 draws, and the share of draws with the least second moment.
+Explored explore(const Explored& before, std::span<const uint32_t> kept) {
+    const Stride stride = sample_stride(kept.size(), shader::VLC_MOST_SAMPLES);
+    double cached = 0.0, seen = 0.0, listed = 0.0, known = 0.0, found = 0.0;
+    for (size_t i = 0; i < stride.processed; ++i) {
+        const uint32_t sample = kept[i * stride.step];
+        const bool visible = sample >> 31 != 0;
+        const double worth = std::ldexp(1.0, static_cast<int>(sample >> 22 & 127) - 64);
+        switch (sample >> 29 & 3) {
+        case 0: // by the cache
+            cached += 1.0;
+            seen += visible ? 1.0 : 0.0;
+            break;
+        case 1: // by the table
+            break;
+        case 2: // a light that the cache lacks
+            listed += 1.0;
+            found += visible ? worth * worth : 0.0;
+            break;
+        case 3: // one that it has
+            listed += 1.0;
+            known += worth;
+            break;
+        }
+    }
+    const double keep = std::max(0.0, 1.0 - listed / 48.0);
+    Explored after{keep * before.listed + listed, keep * before.known + known,
+                   keep * before.found + found, 0.0};
+    const double a = std::sqrt(after.found * after.listed * (cached + 1.0) / (seen + 1.0));
+    if (a > 0.0) after.share = std::min(0.9, a / (a + after.known));
+    return after;
 }
 
 /// A hash table that keeps the first ids of a full bucket.
@@ -110,6 +143,9 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
             fill_table(visible_lights(leaf_samples.kept), table_buckets(processed, limits.bucket),
                        limits.bucket, caches.lights_left_out);
         caches.by_leaf[leaf].own = lights_in(table);
+        caches.by_leaf[leaf].explored = leaf_samples.count > 0
+                                            ? explore(leaf_samples.explored, leaf_samples.kept)
+                                            : leaf_samples.explored;
     }
 
     // All caches together fit in the buffer, even if every leaf used its quota.

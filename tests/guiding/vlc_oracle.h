@@ -32,19 +32,26 @@ struct CacheLimits {
     uint32_t persist = 0;  // frames that lights stay after they were seen; 0: as in the paper
 };
 
+/// What draws from lists were worth (guiding_types.h, ExploreMemory).
+struct Explored {
+    double listed = 0.0, known = 0.0, found = 0.0, share = 0.0;
+};
+
 /// What is known of a leaf before its cache is made.
 struct LeafSamples {
-    std::span<const uint32_t> kept; // as stored: id and LIGHT_SAMPLE_VISIBLE
+    std::span<const uint32_t> kept; // as stored (LIGHT_SAMPLE_*)
     uint32_t count = 0;             // samples, stored or not
     uint32_t previous_buckets = 0;  // of the leaf's cache in the frame before
     Ages previous;                  // the lights in it
     bool inherited = false;         // it was made for a larger leaf
+    Explored explored{};
 };
 
 struct Cache {
     Lights own;      // different lights that the leaf's samples saw
     Buckets buckets; // own and neighbours' lights; none if there are no lights
     Ages ages;       // of the lights in buckets
+    Explored explored{};
 };
 
 struct Caches {

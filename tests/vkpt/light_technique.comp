@@ -28,8 +28,8 @@ layout(set = 3, binding = 2, scalar) restrict buffer FactBlock {
     uint errors[];
 };
 
-// Random streams apart from each other.
-const uint RADIANCE_STREAM = 1000000u;
+// Random streams apart from each other, and from those of frames: draws must not be the ones that a cache was learned from.
+const uint STREAMS_APART = 1000000u;
 
 void ask_probabilities(Surface surface, uint row) {
     is_exact = PROBABILITY_IS_EXACT;
@@ -50,7 +50,7 @@ void count_draw(LightChoice choice, uint index, uint row) {
 void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
     const bool counts = path_index == 1u;
     const bool chooses = path_index != 3u;
-    Random random = random_begin(pixel, gl_GlobalInvocationID.z + (counts ? 0u : path_index * RADIANCE_STREAM),
+    Random random = random_begin(pixel, gl_GlobalInvocationID.z + path_index * STREAMS_APART,
                                  uint(frame.cvars.pt_seed));
     uint first = 0u;
     uint end = path_count;

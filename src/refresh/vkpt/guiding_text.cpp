@@ -80,6 +80,8 @@ std::string cache_text(const Scene& scene, const LeafReport& report, size_t dyna
         count += bucket.size();
     std::string text = fmt::format("  cache           {} in {}", count_text(count, "light"),
                                    count_text(report.buckets.size(), "bucket"));
+    text += fmt::format("\n  {:.0f}% of samples would pay off looking for other lights",
+                        100.0f * report.explore_share);
     for (size_t i = 0; i < std::min(report.buckets.size(), most_buckets_listed); ++i) {
         const std::vector<uint32_t>& bucket = report.buckets[i];
         text += fmt::format("\n  bucket {}: {}", i, count_text(bucket.size(), "light"));

@@ -214,6 +214,7 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     fill(shader::LEAF_SOURCE, 1, 0);
     fill(shader::LEAF_CACHED, 1, 0);
     fill(shader::LEAF_RAYS, 1, 0);
+    fill(shader::LEAF_EXPLORE, 2, 0);
     const std::vector<glm::uvec4> quadtrees(
         8, shader::cdq_even_tree(std::max(options_.cdq_bits, 32u)));
     set(shader::LEAF_CDQ, gpu::bytes_of(quadtrees));

@@ -49,6 +49,9 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
     report.samples = leaf_word(shader::LEAF_COUNT, 1, leaf);
     report.room = leaf_word(shader::LEAF_STORAGE, 2, leaf, 1);
     report.rays = leaf_word(shader::LEAF_RAYS, 1, leaf);
+    report.explore_share = shader::explore_unpack({leaf_word(shader::LEAF_EXPLORE, 2, leaf),
+                                                   leaf_word(shader::LEAF_EXPLORE, 2, leaf, 1)})
+                               .share;
     for (uint32_t word = 0; word < 4; ++word)
         report.cdq[static_cast<glm::length_t>(word)] = leaf_word(shader::LEAF_CDQ, 4, leaf, word);
     report.source = leaf_word(shader::LEAF_SOURCE, 1, leaf);

@@ -23,6 +23,7 @@ struct LeafReport {
     uint32_t samples = 0;           // surface samples of the frame that was rendered last
     uint32_t room = 0;              // light samples that fit, and as many ray samples
     uint32_t rays = 0;              // of the frame that was rendered last, those that brought light
+    float explore_share = 0.0f;     // of light samples that its finds ask to search lists; 0 .. 0.9
     glm::uvec4 cdq{0};              // directional quadtree; meaningless while pt_guide is brdf
     uint32_t source = shader::NONE; // leaf of the tree before, from which its cache came
     std::array<uint32_t, 6> neighbours{};       // beyond -x +x -y +y -z +z; NONE outside the root
