@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
+#include "formats/dm2_protocol.h"
 
 #include <algorithm>
 #include <chrono>
@@ -249,6 +250,9 @@ void Client::write_recording(const std::string& path, DemoRecorder& recorder) {
     if (recorder.left_out() > 0)
         log_warning("{} models of {} had no room in the demo", recorder.left_out(),
                     recorder.level().name);
+    if (recorder.largest_block() > dm2::portable_block_bytes)
+        log_warning("{}: some engines do not read blocks of {} bytes, only up to {}", file.string(),
+                    recorder.largest_block(), dm2::portable_block_bytes);
     log_info("wrote {} ({} frames, {} bytes)", file.string(), recorder.frames(), bytes.size());
 }
 

@@ -34,6 +34,8 @@ public:
     int frames() const { return frames_; }
     /// Entities or models that had no room.
     size_t left_out() const { return left_out_; }
+    /// The largest block of the demo.
+    size_t largest_block() const { return writer_.largest_block(); }
     /// The demo so far.
     std::vector<uint8_t> finish() { return writer_.finish(); }
 

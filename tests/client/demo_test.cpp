@@ -5,6 +5,7 @@
 #include "client/demo_player.h"
 #include "client/demo_recorder.h"
 #include "client/program.h"
+#include "client/route.h"
 #include "common/cvar.h"
 #include "common/log.h"
 #include "fake_renderer.h"
@@ -420,6 +421,38 @@ TEST_F(DemoTest, DemosAreListedAndRecordedOnesComeFirst) {
     EXPECT_EQ(render_.views.size(), 6u);
     // Game data was not written.
     EXPECT_EQ(read_demo("data/baseq2/demos/both.dm2"), demo.bytes());
+}
+
+/// The demos that come with the levels, as docs/playing.md says: their routes, recorded.
+TEST(ShippedDemos, AreTheRoutesOfTheirLevels) {
+    FileSystem files;
+    files.mount_game(VIGIL_SOURCE_DIR, "baseq2");
+    for (const std::string name : {"warehouse", "mine", "gallery", "ring"}) {
+        const std::string path = "demos/" + name + ".dm2";
+        dm2::File file(path, files.read(path));
+        dm2::Parser parser(path);
+        std::vector<dm2::Message> messages;
+        while (const auto block = file.next()) {
+            EXPECT_LE(block->bytes.size(), dm2::portable_block_bytes) << path;
+            parser.parse(*block, messages);
+        }
+        const Route route = load_route(files, name);
+        int frames = 0;
+        for (const dm2::Message& message : messages) {
+            if (const auto* string = std::get_if<dm2::ConfigString>(&message)) {
+                if (string->index == dm2::CS_MODELS + 1) {
+                    EXPECT_EQ(string->text, "maps/" + name + ".bsp");
+                }
+            }
+            const auto* frame = std::get_if<dm2::Frame>(&message);
+            if (frame == nullptr) continue;
+            const glm::vec3 eye = frame->player.origin + frame->player.view_offset;
+            const glm::vec3 wanted = route.at(frames / dm2::frames_per_second).origin;
+            EXPECT_LE(glm::length(eye - wanted), 0.125f) << path << ", frame " << frames;
+            ++frames;
+        }
+        EXPECT_EQ(frames, route.frame_count(dm2::frames_per_second)) << path;
+    }
 }
 
 TEST_F(DemoTest, ARealDemoPlaysToItsEnd) {
