@@ -67,6 +67,12 @@ void DemoPlayer::start(Session& session) {
     show(session);
 }
 
+bool DemoPlayer::at_level_change() const {
+    return next_ && std::ranges::any_of(next_->messages, [](const dm2::Message& message) {
+               return std::holds_alternative<dm2::ServerData>(message);
+           });
+}
+
 void DemoPlayer::step(Session& session) {
     if (!next_) return;
     take(*std::exchange(next_, std::nullopt), session);

@@ -27,6 +27,8 @@ public:
 
     /// No frame follows the one that is shown.
     bool at_last_frame() const { return !next_; }
+    /// The frame that follows begins another level.
+    bool at_level_change() const;
     /// With advance(): the last frame's time is over.
     bool finished() const { return finished_; }
     /// Frames shown so far.

@@ -40,6 +40,8 @@ public:
     /// Takes the times and the picture of the frame that was rendered last. `seconds` is the time
     /// that rendering it took. Throws Error when the picture cannot be written.
     void end_frame(Session& session, double seconds);
+    /// Collects GPU times of frames that are finished; with `wait`, of all.
+    void take_gpu_times(Session& session, bool wait);
     /// Ends the repetition. Waits for the GPU; that time counts.
     void end(Session& session);
 
@@ -60,7 +62,6 @@ private:
         double seconds = 0.0;
     };
 
-    void take_gpu_times(Session& session, bool wait);
     std::filesystem::path picture_path(int number) const;
     Repetition together() const;
     std::string json_text(const Session& session, const std::string& device,

@@ -144,6 +144,11 @@ TEST_F(DemoTest, ARouteIsRecordedAndPlayedTheSameEachTime) {
     EXPECT_EQ(report["repetitions"][1]["frame_count"], 6);
     EXPECT_EQ(report["device"], "a fake device");
     EXPECT_EQ(report["variables"]["timedemo"], "2");
+    // Path tracing by technique: here of one pass, preparation did not run.
+    ASSERT_EQ(report["groups"].size(), 1u);
+    EXPECT_EQ(report["groups"][0]["name"], "path tracing, sll");
+    EXPECT_EQ(report["groups"][0]["mean_ms"], 1.0);
+    EXPECT_EQ(report["groups"][0]["share"], 0.25);
     EXPECT_FALSE(report["commit"].get<std::string>().empty());
     for (const auto& frame : report["frames"])
         EXPECT_EQ(frame["passes_ms"]["primary"], 1.0);
@@ -190,6 +195,33 @@ TEST_F(DemoTest, PlaysWithTheTimeAndBetweenFrames) {
     EXPECT_EQ(render_.style_0.back(), 25.0f / 12.0f);
     EXPECT_NE(output_.find("Small"), std::string::npos);
     EXPECT_NE(output_.find("3 frames played"), std::string::npos);
+}
+
+TEST_F(DemoTest, ADemoMayGoOnInAnotherLevel) {
+    game_.write_level_file("next", tiny_entities);
+    SmallDemo demo;
+    demo.frame().entities = {entity(3, 3, {0, 0, 0})};
+    demo.next();
+    demo.next();
+    dm2::ServerData data;
+    data.level_title = "Next";
+    demo.add(data);
+    demo.add(dm2::ConfigString{dm2::CS_MODELS + 1, "maps/next.bsp"});
+    demo.add(dm2::ConfigString{dm2::CS_MODELS + 2, "models/other/tris.md2"});
+    demo.frame().number = 0;
+    demo.frame().entities = {entity(3, 2, {0, 0, 0})};
+    demo.next();
+    demo.next();
+    write_demo("two.dm2", demo.bytes());
+    ASSERT_EQ(run("+set timedemo 1 +set timedemo_json t.json +demomap two"), 0) << errors_;
+    EXPECT_EQ(render_.calls, (std::vector<std::string>{"map tiny", "render", "render", "map next",
+                                                       "render", "render"}));
+    EXPECT_EQ(render_.models.back(), "models/other/tris.md2");
+    const auto report = nlohmann::json::parse(game_.read("out/t.json"));
+    for (const auto& frame : report["frames"])
+        EXPECT_EQ(frame["passes_ms"]["primary"], 1.0);
+    ASSERT_EQ(run("+demomap two"), 0) << errors_; // with the time, too
+    EXPECT_EQ(render_.count("map next"), 1u);
 }
 
 TEST_F(DemoTest, WhatIsNotThereIsSaidOnce) {

@@ -3,6 +3,8 @@
 
 namespace vigil::vkpt {
 
+static_assert(refresh::particle_radiance == shader::SHINE_RADIANCE);
+
 namespace {
 
 /// Two directions across the view of a particle: with the third, towards the eye, right-handed.
