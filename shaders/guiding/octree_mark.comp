@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `octree`, step 1 (paper, section 6.2, "mark"): one invocation per old node decides which of its leaves are split and
+// Pass `octree_mark`, step 1 of the octree (paper, section 6.2, "mark"): one invocation per old node decides which of its leaves are split and
 // whether it collapses. It also lists the leaves that have samples, and those whose cache is made: they have samples, or a cache to keep.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"

@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `octree`, step 4 (paper, section 6.2, "augment" and "populate"): one invocation per child of a new node fills in its leaf: the
+// Pass `octree_augment`, step 4 of the octree (paper, section 6.2, "augment" and "populate"): one invocation per child of a new node fills in its leaf: the
 // old leaf it comes from, whose cache it takes over, the neighbours beyond its faces, and room for samples.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"

@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `octree`, step 2 (paper, section 6.2, "rebuild"): where every node of the new tree lies. Old nodes are stored breadth-first;
+// Pass `octree_adapt`, step 2 of the octree (paper, section 6.2, "rebuild"): where every node of the new tree lies. Old nodes are stored breadth-first;
 // so are new ones if each node's inner children are placed in the order of their old parents. One running sum over the
 // old nodes gives all places at once, whatever the depth: one work group, 256 parts.
 #extension GL_GOOGLE_include_directive : require

@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `octree`, step 3: one invocation per old node that is still there writes the node at its new place, and adds up how many
+// Pass `octree_adapt`, step 3 of the octree: one invocation per old node that is still there writes the node at its new place, and adds up how many
 // samples the leaves of the new tree are to expect.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"

@@ -94,6 +94,7 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     if (HAS_LIGHTS && primitive.light != NONE)
         vertex.emission = light_emission(primitive, triangle, hit, material, texel,
                                          primary && frame.cvars.pt_emissive_texture != 0);
+    if (HAS_INSTANCES && primary && (material.flags & MATERIAL_SHINES) != 0u) vertex.emission = SHINE_RADIANCE * texel;
     vertex.lit = true;
     vertex.surface.position = triangle_point(triangle, hit);
     vertex.surface.normal = normal;

@@ -48,10 +48,10 @@
         "most frames per second that the program tries to show; timedemo ignores it") \
     REAL(con_notify, Archived, 3.0, 0.0, 60.0, \
         "seconds that a new line of the console stays over the picture") \
-    INTEGER(timedemo, Session, 0, 0, 1, \
-        "1: a demo plays every frame as fast as it can and prints frame rate and GPU times") \
+    INTEGER(timedemo, Session, 0, 0, 1000, \
+        "N above 0: demomap renders every frame of a demo once, as fast as it can, N times, and prints frame rate and GPU times") \
     STRING(timedemo_json, Session, "", \
-        "file below outdir that receives the numbers of a timedemo; empty: none") \
+        "file below outdir that receives the numbers of a timedemo or a flight; empty: none") \
     \
     CHOICE(pt_nee, Session, "sll", technique_choices, \
         "how next event estimation chooses a light") \

@@ -51,6 +51,10 @@ SHADER_CONST uint MATERIAL_EMISSIVE = 2u; // its triangles are lights
 SHADER_CONST uint MATERIAL_WARP = 4u;     // liquid: texture coordinates move
 SHADER_CONST uint MATERIAL_FLOWING = 8u;  // texture scrolls
 SHADER_CONST uint MATERIAL_GLOSSY = 16u;  // has a GGX lobe at the primary hit
+SHADER_CONST uint MATERIAL_SHINES = 32u;  // a particle: emits towards the camera, and is no light
+
+/// What a texel of a material that shines emits, as radiance.
+SHADER_CONST float SHINE_RADIANCE = 20.0f;
 
 struct Material {
     uint texture;          // index of the texture header of the first animation frame

@@ -4,6 +4,8 @@
 
 #include "common/error.h"
 #include "common/log.h"
+#include "common/output.h"
+#include "formats/dm2_protocol.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,9 +39,12 @@ Client::Client(const ClientParts& parts)
     add_picture_commands(*this);
     add_fly_command(*this);
     add_guiding_commands(*this);
+    add_demo_commands(*this);
 }
 
-Client::~Client() = default;
+Client::~Client() {
+    keep_recording();
+}
 
 void Client::quit() {
     quitting_ = true;
@@ -59,9 +64,10 @@ void Client::run() {
     }
     last_frame_s_ = clock_.seconds();
     while (!quitting_) {
-        if (headless() && commands_.idle() && !flying()) break;
+        if (headless() && commands_.idle() && !flying() && !playing()) break;
         frame();
     }
+    keep_recording();
 }
 
 void Client::frame() {
@@ -82,14 +88,17 @@ void Client::frame() {
     const Stopwatch watch;
     move_camera(seconds);
     render(seconds);
+    record_frame();
     if (flight_)
         finish_flight_frame(watch.seconds());
+    else if (demo_)
+        finish_demo_frame(watch.seconds());
     else
         session_.take_frame_times(false);
     commands_.run_frame();
     if (!headless()) {
         show_title(seconds);
-        if (!flight_) limit_rate(start_s);
+        if (!measuring()) limit_rate(start_s);
     }
 }
 
@@ -125,6 +134,10 @@ void Client::move_camera(double seconds) {
         flight_->begin_frame(session_);
         return;
     }
+    if (demo_) {
+        if (!attempt("demomap", [&] { demo_->begin_frame(seconds, session_); })) demo_.reset();
+        return;
+    }
     session_.camera().fly(held, static_cast<float>(std::min(seconds, longest_move_s)));
     session_.advance(seconds);
 }
@@ -140,7 +153,7 @@ void Client::render(double seconds) {
         drawn = overlay_.draw(console_, picture_size(), now, seconds, variables_->con_notify, full,
                               crosshair);
     }
-    session_.render(drawn);
+    session_.render(drawn, measuring());
 }
 
 void Client::load_map(std::string_view name) {
@@ -148,29 +161,99 @@ void Client::load_map(std::string_view name) {
     // Loading takes a while; the last frame before it says what is going on.
     if (!headless() && picture_size() != glm::ivec2(0)) render(0.0);
     end_flight();
+    end_demo();
+    keep_recording();
     session_.load_map(name);
     console_.set_open(false);
     if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
     last_frame_s_ = clock_.seconds();
 }
 
-void Client::start_flight(Route route, FlightPlan plan) {
+void Client::start_flight(Route route, RunPlan plan) {
     flight_ = std::make_unique<FlyThrough>(std::move(route), std::move(plan));
     console_.set_open(false);
+}
+
+bool Client::attempt(std::string_view what, const std::function<void()>& part) {
+    try {
+        part();
+        return true;
+    } catch (const Error& error) {
+        log_error("{}: {}", what, error.what());
+        ++failures_;
+        return false;
+    }
 }
 
 void Client::finish_flight_frame(double seconds) {
     // The command `fly` waits for the end of the flight, and reports what is thrown here as its
     // own.
-    try {
+    bool over = true;
+    attempt("fly", [&] {
         flight_->end_frame(session_, seconds);
-        if (!flight_->finished()) return;
-        flight_->report(session_, variables_);
-    } catch (const Error& error) {
-        log_error("fly: {}", error.what());
-        ++failed_flights_;
-    }
-    flight_.reset();
+        over = flight_->finished();
+        if (over) flight_->report(session_, variables_);
+    });
+    if (over) flight_.reset();
+}
+
+void Client::start_demo(DemoPlayback demo) {
+    end_flight();
+    end_demo();
+    keep_recording();
+    demo.start(session_);
+    demo_ = std::make_unique<DemoPlayback>(std::move(demo));
+    console_.set_open(false);
+    if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
+    last_frame_s_ = clock_.seconds();
+}
+
+void Client::finish_demo_frame(double seconds) {
+    bool over = true;
+    attempt("demomap", [&] {
+        over = demo_->end_frame(seconds, session_);
+        if (over) demo_->finish(session_, variables_);
+    });
+    if (over) demo_.reset();
+    if (!measuring()) session_.take_frame_times(false);
+}
+
+DemoRecorder Client::make_recorder() const {
+    return {session_.shared_level(), variables_->game, session_.light_styles(), session_.frame(),
+            session_.entities().models()};
+}
+
+void Client::start_recording(std::string path) {
+    recorder_ = std::make_unique<DemoRecorder>(make_recorder());
+    recorded_path_ = std::move(path);
+}
+
+void Client::record_frame() {
+    if (recorder_ && recorder_->wants(session_.time_s()))
+        recorder_->add(session_.frame(), session_.light_styles());
+}
+
+void Client::stop_recording() {
+    const std::unique_ptr<DemoRecorder> recorder = std::move(recorder_);
+    write_recording(recorded_path_, *recorder);
+}
+
+void Client::keep_recording() {
+    if (recorder_) attempt("record", [this] { stop_recording(); });
+}
+
+void Client::write_recording(const std::string& path, DemoRecorder& recorder) {
+    if (recorder.frames() == 0) fail("{}: nothing was recorded: no time has passed", path);
+    const std::filesystem::path file = output_path(path);
+    const std::vector<uint8_t> bytes = recorder.finish();
+    write_file(file, std::as_bytes(std::span(bytes)));
+    if (recorder.left_out() > 0)
+        log_warning("{} models of {} had no room in the demo", recorder.left_out(),
+                    recorder.level().name);
+    if (recorder.largest_block() > dm2::portable_block_bytes)
+        log_warning("{}: some engines do not read blocks of {} bytes, only up to {}", file.string(),
+                    recorder.largest_block(), dm2::portable_block_bytes);
+    log_info("wrote {} ({} frames, {} bytes)", file.string(), recorder.frames(), bytes.size());
 }
 
 void Client::show_title(double seconds) {

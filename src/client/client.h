@@ -5,6 +5,8 @@
 #pragma once
 
 #include "client/console.h"
+#include "client/demo_playback.h"
+#include "client/demo_recorder.h"
 #include "client/fly_through.h"
 #include "client/held_buttons.h"
 #include "client/input.h"
@@ -15,6 +17,7 @@
 #include "common/stopwatch.h"
 #include "platform/window.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -52,6 +55,8 @@ public:
 
     bool headless() const { return window_ == nullptr; }
     Session& session() { return session_; }
+    const Session& session() const { return session_; }
+    const CvarRegistry& variables() const { return variables_; }
     CommandRegistry& commands() { return commands_; }
     Console& console() { return console_; }
     /// Size of the picture in pixels.
@@ -60,11 +65,27 @@ public:
     /// Loads a level; while it loads, the window says so. Throws Error and keeps the level before.
     void load_map(std::string_view name);
     /// Starts a flight, or ends the one under way.
-    void start_flight(Route route, FlightPlan plan);
+    void start_flight(Route route, RunPlan plan);
     void end_flight() { flight_.reset(); }
     bool flying() const { return flight_ != nullptr; }
-    /// Flights that ended with an error so far.
-    int failed_flights() const { return failed_flights_; }
+
+    /// Loads a demo's level and plays the demo. Throws Error.
+    void start_demo(DemoPlayback demo);
+    void end_demo() { demo_.reset(); }
+    bool playing() const { return demo_ != nullptr; }
+
+    /// A recorder of what the session shows from now on.
+    DemoRecorder make_recorder() const;
+    /// Records as `path` below outdir until stop_recording() or another level.
+    void start_recording(std::string path);
+    /// Writes what was recorded. Throws Error when that fails.
+    void stop_recording();
+    bool recording() const { return recorder_ != nullptr; }
+    /// Writes a demo as `path` below outdir, and says so. Throws Error.
+    void write_recording(const std::string& path, DemoRecorder& recorder);
+
+    /// Flights, demos and recordings that ended with an error so far.
+    int failures() const { return failures_; }
 
 private:
     void frame();
@@ -73,6 +94,14 @@ private:
     void move_camera(double seconds);
     void render(double seconds);
     void finish_flight_frame(double seconds);
+    void finish_demo_frame(double seconds);
+    void record_frame();
+    /// Ends a recording under way; what was recorded is kept.
+    void keep_recording();
+    /// Runs a part of a frame; an Error of it is logged after `what`, and counted. Returns false
+    /// then.
+    bool attempt(std::string_view what, const std::function<void()>& part);
+    bool measuring() const { return flight_ || (demo_ && demo_->timed()); }
     void show_title(double seconds);
     void limit_rate(double frame_start_s) const;
     bool mouse_look() const;
@@ -87,7 +116,10 @@ private:
     Input input_;
 
     std::unique_ptr<FlyThrough> flight_;
-    int failed_flights_ = 0;
+    std::unique_ptr<DemoPlayback> demo_;
+    std::unique_ptr<DemoRecorder> recorder_;
+    std::string recorded_path_;
+    int failures_ = 0;
     Stopwatch clock_;
     double last_frame_s_ = 0.0;
     bool quitting_ = false;
@@ -103,6 +135,7 @@ void add_view_commands(Client& client);
 void add_picture_commands(Client& client);
 void add_fly_command(Client& client);
 void add_guiding_commands(Client& client);
+void add_demo_commands(Client& client);
 
 /// bind, unbind, unbindall, bindlist.
 void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings);

@@ -117,6 +117,7 @@ bool LevelEntities::place(const Entity& source, int number, std::string_view mod
     entity.number = number;
     entity.origin = source.get_vec3("origin");
     entities_.push_back(entity);
+    models_.emplace_back(model);
     return true;
 }
 

@@ -31,6 +31,9 @@ public:
     /// In file order; `number` is the index of the entity in the level's entity text.
     std::span<const refresh::Entity> entities() const { return entities_; }
 
+    /// What each of them shows: "*3", "models/x.glb".
+    std::span<const std::string> models() const { return models_; }
+
     /// Sets the angles (pitch, yaw, roll in degrees) of every brush model with this `targetname`.
     /// Throws Error when there is none.
     void turn(std::string_view target, const glm::vec3& angles);
@@ -44,6 +47,7 @@ private:
                const RegisterModel& register_model);
 
     std::vector<refresh::Entity> entities_;
+    std::vector<std::string> models_;                         // one for each
     std::multimap<std::string, size_t, std::less<>> targets_; // into entities_
 };
 

@@ -77,13 +77,34 @@ std::vector<PassSummary> PassStatistics::summarize() const {
     return summaries;
 }
 
-std::string PassStatistics::table() const {
+PassSummary PassStatistics::summarize(const PassGroup& group) const {
+    std::vector<double> sums;
+    double total = 0.0, of_group = 0.0;
+    for (const std::vector<Time>& frame : frames_) {
+        double sum = 0.0;
+        for (const Time& time : frame) {
+            total += time.milliseconds;
+            if (std::ranges::find(group.passes, names_[time.pass]) != group.passes.end())
+                sum += time.milliseconds;
+        }
+        if (sum > 0.0) sums.push_back(sum);
+        of_group += sum;
+    }
+    PassSummary summary = summary_of(group.name, sums);
+    summary.share = total > 0.0 ? of_group / total : 0.0;
+    return summary;
+}
+
+std::string PassStatistics::table(std::span<const PassGroup> groups) const {
     if (frames_.empty()) return "no frames have been timed";
     std::string text = fmt::format("GPU milliseconds over {} frames\n", frames_.size());
     text += fmt::format("{:<24} {:>9} {:>9} {:>9} {:>9} {:>7}\n", "pass", "min", "median", "mean",
                         "p99", "share");
     for (const PassSummary& summary : summarize())
         text += row(summary);
+    for (const PassGroup& group : groups) {
+        if (const PassSummary summary = summarize(group); summary.frames > 0) text += row(summary);
+    }
 
     std::vector<double> totals;
     for (const std::vector<Time>& frame : frames_) {

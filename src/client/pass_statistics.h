@@ -7,6 +7,7 @@
 #include <deque>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vigil::client {
@@ -23,6 +24,12 @@ struct PassSummary {
     double share = 0.0;
 };
 
+/// Passes that are also reported together, under one name.
+struct PassGroup {
+    std::string name;
+    std::vector<std::string_view> passes;
+};
+
 class PassStatistics {
 public:
     /// The oldest frames are forgotten beyond this (about 20 minutes at 60 per second).
@@ -36,8 +43,10 @@ public:
     /// In the order in which the passes first appeared; a pass that a frame did not run does not
     /// count as a time of 0 there.
     std::vector<PassSummary> summarize() const;
-    /// Lines of text, the last one the sum per frame.
-    std::string table() const;
+    /// The sum of a group's passes in each frame; a frame without any of them does not count.
+    PassSummary summarize(const PassGroup& group) const;
+    /// Lines of text: passes, groups (those that ran), the sum per frame.
+    std::string table(std::span<const PassGroup> groups = {}) const;
 
 private:
     struct Time {

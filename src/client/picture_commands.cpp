@@ -14,8 +14,6 @@ namespace vigil::client {
 namespace {
 
 constexpr int most_numbered = 10000;
-constexpr std::string_view route_folder = "routes/";
-constexpr std::string_view route_extension = ".route";
 
 std::filesystem::path path_of(std::string_view name, std::string_view extension) {
     if (ends_nocase(name, extension)) return output_path(name);
@@ -65,27 +63,13 @@ void export_scene(Client& client, CommandArguments arguments) {
     session.renderer().export_scene(session.frame(), path.string());
 }
 
-std::string_view route_name(std::string_view path) {
-    if (starts_nocase(path, route_folder)) path.remove_prefix(route_folder.size());
-    if (ends_nocase(path, route_extension)) path.remove_suffix(route_extension.size());
-    return path;
-}
-
-std::vector<std::string> list_routes(const FileSystem& files) {
-    std::vector<std::string> names;
-    for (const std::string& path : files.list(route_folder, route_extension)) {
-        names.emplace_back(route_name(path));
-    }
-    return names;
-}
-
 void fly(Client& client, CommandArguments arguments) {
     constexpr std::string_view usage = "fly ROUTE [FPS] [PREFIX EVERY]";
     check_count(arguments, 1, 4, usage);
     if (arguments.size() == 3) fail("usage: {}", usage);
     if (client.session().level() == nullptr) fail("no level is loaded; `map NAME` loads one");
 
-    FlightPlan plan;
+    RunPlan plan;
     plan.name = route_name(arguments[0]);
     if (arguments.size() > 1) {
         plan.fps = number_at(arguments, 1, "FPS");
@@ -98,13 +82,7 @@ void fly(Client& client, CommandArguments arguments) {
     plan.json = client.commands().variables()->timedemo_json;
     plan.size = client.picture_size();
 
-    const FileSystem& files = client.session().files();
-    const std::string path = fmt::format("{}{}{}", route_folder, plan.name, route_extension);
-    if (!files.exists(path)) {
-        const std::vector<std::string> names = list_routes(files);
-        fail("there is no route {} (there are: {})", path, fmt::join(names, ", "));
-    }
-    client.start_flight(Route::parse(path, files.read_text(path)), std::move(plan));
+    client.start_flight(load_route(client.session().files(), arguments[0]), std::move(plan));
     client.commands().pause_script_until([&client] { return !client.flying(); });
 }
 

@@ -131,7 +131,7 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
         save_configuration(variables, bindings, console.history());
         return 0;
     }
-    return commands.failures() > failures_before || client.failed_flights() > 0 ? 1 : 0;
+    return commands.failures() > failures_before || client.failures() > 0 ? 1 : 0;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "client/route.h"
 
 #include "client/arguments.h"
+#include "common/ascii_case.h"
 #include "common/command_text.h"
 #include "common/error.h"
 
@@ -15,6 +16,8 @@ namespace vigil::client {
 namespace {
 
 constexpr size_t columns = 7;
+constexpr std::string_view route_folder = "routes/";
+constexpr std::string_view route_extension = ".route";
 
 /// The words of a line up to its comment.
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -100,6 +103,29 @@ Route::Key Route::at(double seconds) const {
                h11 * slope(i + 1, member);
     };
     return {time, blend(&Key::origin), blend(&Key::angles)};
+}
+
+std::string_view route_name(std::string_view path) {
+    if (starts_nocase(path, route_folder)) path.remove_prefix(route_folder.size());
+    if (ends_nocase(path, route_extension)) path.remove_suffix(route_extension.size());
+    return path;
+}
+
+std::vector<std::string> list_routes(const FileSystem& files) {
+    std::vector<std::string> names;
+    for (const std::string& path : files.list(route_folder, route_extension)) {
+        names.emplace_back(route_name(path));
+    }
+    return names;
+}
+
+Route load_route(const FileSystem& files, std::string_view name) {
+    const std::string path = fmt::format("{}{}{}", route_folder, route_name(name), route_extension);
+    if (!files.exists(path)) {
+        const std::vector<std::string> names = list_routes(files);
+        fail("there is no route {} (there are: {})", path, fmt::join(names, ", "));
+    }
+    return Route::parse(path, files.read_text(path));
 }
 
 } // namespace vigil::client

@@ -4,8 +4,10 @@
 // yaw roll` per line, seconds and degrees, `#` begins a comment.
 #pragma once
 
+#include "common/file_system.h"
 #include "refresh/refresh.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,5 +43,13 @@ private:
 
     std::vector<Key> keys_; // angles unwrapped: neighbours differ by at most 180 degrees
 };
+
+/// Reads routes/NAME.route; `name` may be given with folder and extension. Throws Error, also with
+/// the names there are.
+Route load_route(const FileSystem& files, std::string_view name);
+/// The names that load_route knows, sorted.
+std::vector<std::string> list_routes(const FileSystem& files);
+/// Without folder and extension.
+std::string_view route_name(std::string_view path);
 
 } // namespace vigil::client

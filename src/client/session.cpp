@@ -34,6 +34,7 @@ void Session::load_map(std::string_view name) {
         bsp, [this](std::string_view model) { return renderer_.register_model(model); });
     styles_ = LightStyles(bsp.entities);
     dynamic_lights_.clear();
+    played_.reset();
     const StartPlace start = find_start(bsp);
     camera_.set(start.origin, start.angles);
     time_s_ = 0.0;
@@ -76,6 +77,12 @@ void Session::reset_guiding() {
     ++scene_changes_;
 }
 
+void Session::play(PlayedScene scene, double time_s) {
+    played_ = std::move(scene);
+    time_s_ = time_s;
+    ++scene_changes_;
+}
+
 void Session::advance(double seconds) {
     if (variables_->pt_accumulate == 0) time_s_ += seconds;
 }
@@ -84,8 +91,16 @@ refresh::Frame Session::frame() const {
     refresh::Frame frame;
     frame.view = {camera_.origin(), camera_.angles(), variables_->fov};
     frame.time_s = time_s_;
-    frame.entities = entities_.entities();
-    frame.dynamic_lights = dynamic_lights_;
+    if (played_) {
+        frame.view.fov = played_->fov;
+        frame.entities = played_->entities;
+        frame.dynamic_lights = played_->dynamic_lights;
+        frame.beams = played_->beams;
+        frame.particles = played_->particles;
+    } else {
+        frame.entities = entities_.entities();
+        frame.dynamic_lights = dynamic_lights_;
+    }
     if (variables_->pt_light_styles != 0) {
         frame.light_styles = styles_.values_at(time_s_);
     } else {
@@ -102,9 +117,10 @@ Session::Shown Session::present() const {
     return now;
 }
 
-void Session::render(ImDrawData* overlay) {
+void Session::render(ImDrawData* overlay, bool uncapped) {
     refresh::Frame now = frame();
     now.overlay = overlay;
+    now.uncapped = uncapped;
     last_frame_ = renderer_.render(now);
     shown_ = present();
 }

@@ -8,6 +8,7 @@
 #include "client/level_entities.h"
 #include "client/light_styles.h"
 #include "client/pass_statistics.h"
+#include "client/played_scene.h"
 #include "common/cvar.h"
 #include "common/file_system.h"
 #include "refresh/refresh.h"
@@ -31,6 +32,7 @@ public:
     void load_map(std::string_view name);
     /// Null before the first level.
     const Level* level() const { return level_.get(); }
+    const std::shared_ptr<const Level>& shared_level() const { return level_; }
     const FileSystem& files() const { return files_; }
     refresh::Renderer& renderer() { return renderer_; }
 
@@ -45,14 +47,21 @@ public:
     /// Empties the renderer's octree and light caches.
     void reset_guiding();
 
+    /// Shows a moment of a demo, at a time of the level, in place of the level's own entities and
+    /// dynamic lights, until a level is loaded.
+    void play(PlayedScene scene, double time_s);
+    /// What play() shows; null: nothing is played in this level.
+    const PlayedScene* played() const { return played_ ? &*played_ : nullptr; }
+
     /// Lets time pass. It stands still while pt_accumulate averages frames.
     void advance(double seconds);
     double time_s() const { return time_s_; }
 
     /// The frame as it would be rendered now; its spans are valid until the session changes.
     refresh::Frame frame() const;
-    /// Renders it. Throws Error when the device is lost.
-    void render(ImDrawData* overlay);
+    /// Renders it, with `uncapped` without waiting for the display. Throws Error when the device is
+    /// lost.
+    void render(ImDrawData* overlay, bool uncapped = false);
     /// Number of the frame that was rendered last.
     uint64_t last_frame() const { return last_frame_; }
     /// GPU times and counts of the frames that were finished since the last call, which also enter
@@ -87,6 +96,7 @@ private:
     LevelEntities entities_;
     LightStyles styles_;
     std::vector<refresh::DynamicLight> dynamic_lights_;
+    std::optional<PlayedScene> played_;
     Camera camera_;
     double time_s_ = 0.0;
 

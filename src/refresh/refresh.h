@@ -56,6 +56,27 @@ struct DynamicLight {
     glm::vec3 radiance{0.0f};
 };
 
+/// A thin glowing spindle between two points (a laser); light as from a DynamicLight. `radius` is that of its middle in
+/// map units; `id` stays the same while the beam exists.
+struct Beam {
+    uint32_t id = 0;
+    glm::vec3 from{0.0f};
+    glm::vec3 to{0.0f};
+    float radius = 1.0f;
+    glm::vec3 radiance{0.0f};
+};
+
+/// A spark or drop: a small triangle that faces the camera. It shows to the camera with the radiance `color` *
+/// particle_radiance and casts a shadow, but lights nothing: it is too small to matter, and there are many.
+struct Particle {
+    glm::vec3 origin{0.0f};
+    float size = 1.0f;      // from the middle to the corners, in map units
+    glm::vec3 color{1.0f};  // linear, 0..1; there should be few different ones
+};
+
+/// Radiance that stands for what the first Quake II draws at full brightness (docs/units.md).
+inline constexpr float particle_radiance = 20.0f;
+
 /// Light styles are multipliers of emitted radiance; Quake II has 256.
 inline constexpr int light_style_count = 256;
 
@@ -64,8 +85,11 @@ struct Frame {
     double time_s = 0.0; // drives warping, scrolling and animated textures
     std::span<const Entity> entities;
     std::span<const DynamicLight> dynamic_lights;
+    std::span<const Beam> beams;
+    std::span<const Particle> particles;
     std::array<float, light_style_count> light_styles{};
     ImDrawData* overlay = nullptr; // console and menus, drawn over the picture; may be null
+    bool uncapped = false;         // the display is not waited for, whatever vid_vsync says
 };
 
 /// A picture in 8-bit sRGB, RGBA, rows from the top.
@@ -119,7 +143,7 @@ public:
     virtual ~Renderer() = default;
 
     /// Uploads a level: geometry, materials, lights. Forgets all models of the level before. Throws Error and then
-    /// keeps the level before.
+    /// keeps the level before. Random numbers start anew: the same frames after it are the same pictures.
     virtual void load_level(std::shared_ptr<const Level> level) = 0;
 
     /// Handle of "*3" (brush model), "models/x.md2" or "models/x.glb"; loads it on first use.

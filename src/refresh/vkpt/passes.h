@@ -13,10 +13,12 @@ namespace vigil::vkpt {
 // clang-format off
 #define VIGIL_PASS_TABLE(ROW) \
     ROW(Upload,     "upload")     /* copies of what changed since the last frame */ \
-    ROW(Octree,     "octree")     /* this frame's octree from the last one's samples */ \
+    ROW(OctreeMark, "octree_mark") /* leaves to split and nodes to collapse */ \
     ROW(VlcDeduplicate, "vlc_deduplicate") /* different visible lights of each leaf */ \
     ROW(VlcMerge,   "vlc_merge")  /* lights of neighbours joined, buckets made */ \
-    ROW(CdqAdapt,   "cdq_adapt")  /* quadtrees follow what rays brought */ \
+    ROW(CdqAdapt,   "cdq_adapt")  /* what rays brought is added up, quadtrees follow it */ \
+    ROW(OctreeAdapt, "octree_adapt") /* the new tree's nodes in their places */ \
+    ROW(OctreeAugment, "octree_augment") /* its leaves: neighbours, and room for samples */ \
     ROW(ShadowStatistics, "shadow_statistics") /* how often lights were hidden, for sll */ \
     ROW(Primary,    "primary")    /* camera rays */ \
     ROW(Direct,     "direct")     /* next event estimation at the primary hit */ \

@@ -55,6 +55,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
     lister_ = std::move(lister);
     level_ = std::move(level);
     accumulated_ = 0;
+    first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
     shown_ = {};
@@ -156,7 +157,7 @@ bool VkptRenderer::guided() const {
 
 void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
     if (!guided()) return;
-    Guiding::Options options = Guiding::options(path_tracer_.size(), frame_number_);
+    Guiding::Options options = Guiding::options(path_tracer_.size(), frame_number_ - first_frame_);
     options.cdq_bits = cdq_bits();
     options.settings.even_density =
         shader::cdq_even_density(options.cdq_bits, cvars()->pt_cdq_brdf);
@@ -229,7 +230,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
 
         // Trace and finish the picture.
         const bool accumulating = cvars()->pt_accumulate != 0;
-        params.frame = static_cast<uint32_t>(frame_number_);
+        params.frame = static_cast<uint32_t>(frame_number_ - first_frame_);
         params.accumulated = accumulated_;
         params.view_accumulated = view_accumulated_;
         params.jitter =
@@ -250,10 +251,12 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         shown_.guided = params.guided != 0;
         shown_.bucket_size = static_cast<uint32_t>(params.cvars.pt_vlc_bucket);
         shown_.cdq_bits = variant.cdq_bits;
-        shown_.dynamic_lights = static_cast<size_t>(
-            std::ranges::count_if(frame.dynamic_lights, [](const refresh::DynamicLight& light) {
-                return light.radius > 0.0f;
-            }));
+        shown_.dynamic_lights =
+            static_cast<size_t>(std::ranges::count_if(frame.dynamic_lights,
+                                                      [](const refresh::DynamicLight& light) {
+                                                          return light.radius > 0.0f;
+                                                      }) +
+                                std::ranges::count_if(frame.beams, is_visible));
     }
     present(commands, frame);
     slot_frames_[slot] = {frame_number_, shown_.guided};
@@ -285,7 +288,7 @@ void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& f
         overlay_->draw(buffer, picture_, frame.overlay);
     }
     std::optional<gpu::SwapchainTarget> target;
-    if (swapchain_) target = swapchain_->acquire(cvars()->vid_vsync != 0);
+    if (swapchain_) target = swapchain_->acquire(cvars()->vid_vsync != 0 && !frame.uncapped);
     if (target) {
         const PassScope scope(device_, commands, Pass::Present);
         swapchain_->blit(buffer, *target, picture_);

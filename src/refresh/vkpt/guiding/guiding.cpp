@@ -247,7 +247,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
         gpu::full_barrier(buffer);
     };
     {
-        const PassScope scope(device_, commands, Pass::Octree);
+        const PassScope scope(device_, commands, Pass::OctreeMark);
         run(mark_, node_groups);
     }
     const auto run_listed = [&](Pass pass, const gpu::ComputePipeline& pipeline, size_t groups) {
@@ -262,11 +262,11 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
     if (options_.cdq_bits > 0)
         run_listed(Pass::CdqAdapt, cdq_adapt_[options_.cdq_bits / 32 - 1], sampled);
     {
-        const PassScope scope(device_, commands, Pass::Octree);
+        const PassScope scope(device_, commands, Pass::OctreeAdapt);
         run(rebuild_, 1);
         run(renumber_, node_groups);
-        run_indirect(populate_, offsetof(shader::GuidingWork, populate_groups));
     }
+    run_listed(Pass::OctreeAugment, populate_, offsetof(shader::GuidingWork, populate_groups));
     const VkBufferCopy copy{0, 0, sizeof(shader::GuidingWork)};
     vkCmdCopyBuffer(buffer, work_.handle(), statistics_[slot].handle(), 1, &copy);
     current_ = 1 - current_;

@@ -105,7 +105,8 @@ const MaterialSet::WorldMaterial& MaterialSet::world_material(const Bsp& bsp, ui
 }
 
 uint32_t MaterialSet::add(const shader::Material& material) {
-    static_assert(sizeof(shader::Material) == 8 * sizeof(uint32_t)); // no padding: bytes tell equality
+    static_assert(sizeof(shader::Material) ==
+                  8 * sizeof(uint32_t)); // no padding: bytes tell equality
     const std::string content(reinterpret_cast<const char*>(&material), sizeof(material));
     const auto next = static_cast<uint32_t>(materials_.size());
     const auto [row, added] = by_content_.emplace(content, next);
@@ -142,6 +143,12 @@ uint32_t MaterialSet::lamp_material() {
     lamp.metallic = 0.0f;
     lamp.emissive = glm::vec3(1.0f);
     return mesh_material(lamp);
+}
+
+uint32_t MaterialSet::particle_material(const glm::vec3& color) {
+    shader::Material material = plain_material(textures_.flat(color));
+    material.flags |= shader::MATERIAL_SHINES;
+    return add(material);
 }
 
 } // namespace vigil::vkpt

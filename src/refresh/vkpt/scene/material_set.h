@@ -40,6 +40,8 @@ public:
     uint32_t picture_material(const std::string& path);
     /// A black material that emits: the body of a dynamic light.
     uint32_t lamp_material();
+    /// Of a particle: it shines in this colour (linear, 0..1), and is no light.
+    uint32_t particle_material(const glm::vec3& color);
 
     const std::vector<shader::Material>& materials() const { return materials_; }
     TextureSet& textures() { return textures_; }

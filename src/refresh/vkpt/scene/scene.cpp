@@ -5,11 +5,13 @@
 #include "common/file_system.h"
 #include "common/log.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
+#include "refresh/vkpt/scene/particle_geometry.h"
 #include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/world_geometry.h"
 #include "world/level.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstring>
 
@@ -19,6 +21,9 @@ namespace {
 
 constexpr uint64_t entity_key_base = uint64_t{1} << 32;
 constexpr uint64_t dynamic_light_key_base = uint64_t{2} << 32;
+constexpr uint64_t beam_key_base = uint64_t{3} << 32;
+constexpr uint64_t particles_key = uint64_t{4} << 32;
+constexpr size_t least_particles = 256;
 
 /// Makes `buffer` at least as large as `bytes`, with room to grow. Returns true if it was made
 /// anew.
@@ -211,6 +216,25 @@ void Scene::add_instance(const Placed& placed, size_t placed_index, const glm::m
     instance_placed_.push_back(placed_index);
 }
 
+void Scene::add_particles(const refresh::Frame& frame) {
+    if (frame.particles.empty()) return;
+    // One model for all of them, whose size doubles as needed: the hierarchy of a model that
+    // deforms has a fixed place.
+    if (particle_capacity_ < frame.particles.size()) {
+        particle_capacity_ = std::bit_ceil(std::max(frame.particles.size(), least_particles));
+        particle_model_ = place_model(
+            "particles", particle_geometry(frame, particle_capacity_, *materials_), Deforms::Yes);
+    } else {
+        const size_t materials = materials_->materials().size();
+        write_model(placed_[*particle_model_],
+                    particle_geometry(frame, particle_capacity_, *materials_));
+        changed_.push_back(*particle_model_);
+        static_dirty_ |= materials_->materials().size() != materials; // a new colour
+    }
+    add_instance(placed_[*particle_model_], *particle_model_, glm::mat4x3(1.0f), 0, particles_key,
+                 0);
+}
+
 bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
     // Place all models of this frame.
     instances_.clear();
@@ -234,7 +258,8 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
         add_instance(placed, index, transform, first_light, key,
                      static_cast<uint32_t>(entity.number));
     }
-    if (!frame.dynamic_lights.empty() && !dynamic_light_model_)
+    add_particles(frame);
+    if ((!frame.dynamic_lights.empty() || !frame.beams.empty()) && !dynamic_light_model_)
         dynamic_light_model_ = place_model(
             "dynamic light", dynamic_light_geometry(materials_->lamp_material()), Deforms::No);
     for (const refresh::DynamicLight& light : frame.dynamic_lights) {
@@ -244,6 +269,14 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
         const glm::mat4x3 transform = scale_transform(light.origin, light.radius);
         const uint32_t first_light = lights_.place(key, placed.lights, transform, light.radiance);
         add_instance(placed, *dynamic_light_model_, transform, first_light, key, light.id);
+    }
+    for (const refresh::Beam& beam : frame.beams) {
+        if (!is_visible(beam)) continue;
+        const Placed& placed = placed_[*dynamic_light_model_];
+        const uint64_t key = beam_key_base + beam.id;
+        const glm::mat4x3 transform = spindle_transform(beam.from, beam.to, beam.radius);
+        const uint32_t first_light = lights_.place(key, placed.lights, transform, beam.radiance);
+        add_instance(placed, *dynamic_light_model_, transform, first_light, key, beam.id);
     }
     lights_.end_frame();
     top_nodes_ = build_top_level(top_instances_);

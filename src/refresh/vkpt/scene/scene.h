@@ -43,6 +43,11 @@ struct SkyDescription {
     glm::vec3 sun_irradiance{0.0f}; // on a surface that faces the sun; 0 without a sun
 };
 
+/// Whether a beam has any extent.
+inline bool is_visible(const refresh::Beam& beam) {
+    return beam.radius > 0.0f && beam.from != beam.to;
+}
+
 class Scene {
 public:
     Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level);
@@ -131,6 +136,7 @@ private:
     size_t place_model(std::string name, ModelGeometry geometry, Deforms deforms);
     void write_model(Placed& placed, const ModelGeometry& geometry);
     size_t pose_of(const refresh::Entity& entity);
+    void add_particles(const refresh::Frame& frame);
     void add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
                       uint32_t first_light, uint64_t key, uint32_t entity);
     void update_features(bool any_instances);
@@ -155,6 +161,8 @@ private:
     std::map<int, Pose> poses_;   // by entity number
     std::vector<size_t> changed_; // placed models whose geometry was written since the last upload
     std::optional<size_t> dynamic_light_model_;
+    std::optional<size_t> particle_model_;
+    size_t particle_capacity_ = 0;
     bool static_dirty_ = true;
 
     // This frame.
@@ -173,7 +181,7 @@ private:
     gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
         instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,
         cluster_buffer_;
-    NodeView node_view_; // of nodes_buffer_, destroyed before it
+    NodeView node_view_;                              // of nodes_buffer_, destroyed before it
     std::optional<AccelerationStructures> ray_query_; // while rays are traced by queries
 };
 

@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
+
 namespace vigil::vkpt {
 
 /// Columns: forward, left, up; the rotation Rz(yaw) Ry(pitch) Rx(roll).
@@ -25,6 +27,15 @@ inline glm::mat4x3 rigid_transform(const glm::vec3& origin, const glm::vec3& ang
 
 inline glm::mat4x3 scale_transform(const glm::vec3& origin, float scale) {
     return {glm::vec3(scale, 0, 0), glm::vec3(0, scale, 0), glm::vec3(0, 0, scale), origin};
+}
+
+/// Brings the unit octahedron between two different points, `radius` units wide in the middle.
+inline glm::mat4x3 spindle_transform(const glm::vec3& from, const glm::vec3& to, float radius) {
+    const glm::vec3 half = 0.5f * (to - from);
+    const glm::vec3 along = glm::normalize(half);
+    const glm::vec3 other = std::abs(along.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+    const glm::vec3 side = glm::normalize(glm::cross(other, along));
+    return {half, radius * side, radius * glm::cross(along, side), from + half};
 }
 
 /// Inverse of an affine transform with an invertible linear part.

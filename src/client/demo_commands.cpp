@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Console commands about demos: demomap, demos, record, stop.
+#include "client/arguments.h"
+#include "client/client.h"
+#include "common/ascii_case.h"
+#include "common/binary_file.h"
+#include "common/error.h"
+#include "common/game_path.h"
+#include "common/log.h"
+#include "common/output.h"
+#include "formats/dm2_protocol.h"
+
+namespace vigil::client {
+
+namespace {
+
+constexpr std::string_view folder = "demos/";
+constexpr std::string_view extension = ".dm2";
+
+std::string_view demo_name(std::string_view path) {
+    if (starts_nocase(path, folder)) path.remove_prefix(folder.size());
+    if (ends_nocase(path, extension)) path.remove_suffix(extension.size());
+    return path;
+}
+
+std::string demo_path(std::string_view name) {
+    return fmt::format("{}{}{}", folder, demo_name(name), extension);
+}
+
+/// Where `record` writes it. Unlike output_path() this makes no folder.
+std::filesystem::path recorded_path(const Client& client, std::string_view path) {
+    return std::filesystem::path(client.variables()->outdir) / path;
+}
+
+std::vector<std::string> list_demos(const Client& client) {
+    std::vector<std::string> names;
+    for (const std::string& path : client.session().files().list(folder, extension))
+        names.emplace_back(demo_name(path));
+    std::error_code none;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(recorded_path(client, folder), none)) {
+        const std::string name = entry.path().filename().string();
+        if (ends_nocase(name, extension)) names.emplace_back(demo_name(name));
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+/// A demo that was recorded here comes before one of the game's with the same name.
+std::vector<uint8_t> read_demo(const Client& client, const std::string& path) {
+    if (const auto fault = game_path_fault(path); !fault.empty())
+        fail("\"{}\" is no name of a demo: it {}", printable_path(path), fault);
+    const std::filesystem::path recorded = recorded_path(client, path);
+    std::error_code none;
+    if (std::filesystem::is_regular_file(recorded, none)) {
+        const BinaryFile file(recorded);
+        if (file.size() > max_file_bytes) fail("{}: the file is too large", file.name());
+        return file.read(0, file.size());
+    }
+    const FileSystem& files = client.session().files();
+    if (!files.exists(path))
+        fail("there is no demo {}, neither in the game's folders nor in {}; `demos` lists those "
+             "there are",
+             path, recorded.parent_path().string());
+    return files.read(path);
+}
+
+void demomap(Client& client, CommandArguments arguments) {
+    constexpr std::string_view usage = "demomap NAME.dm2 [PREFIX EVERY]";
+    check_count(arguments, 1, 3, usage);
+    if (arguments.size() == 2) fail("usage: {}", usage);
+    const int repetitions = client.variables()->timedemo;
+    RunPlan plan;
+    plan.kind = "demo";
+    plan.name = demo_name(arguments[0]);
+    plan.fps = dm2::frames_per_second;
+    if (arguments.size() == 3) {
+        if (repetitions == 0) fail("pictures are taken of a timedemo: `timedemo 1` first");
+        plan.prefix = arguments[1];
+        plan.every = integer_at(arguments, 2, "EVERY", 1, 1'000'000);
+    }
+    plan.json = client.variables()->timedemo_json;
+    plan.size = client.picture_size();
+    const std::string path = demo_path(arguments[0]);
+    client.start_demo(DemoPlayback(path, read_demo(client, path), repetitions, std::move(plan)));
+    // A measurement is over before what follows it; while a demo plays with the time, `wait` and
+    // `screenshot` may follow.
+    if (repetitions > 0)
+        client.commands().pause_script_until([&client] { return !client.playing(); });
+}
+
+void record(Client& client, CommandArguments arguments) {
+    check_count(arguments, 1, 2, "record NAME [ROUTE]");
+    const std::string path = demo_path(arguments[0]);
+    if (const auto fault = game_path_fault(path); !fault.empty())
+        fail("\"{}\": not recorded, the name {}", printable_path(path), fault);
+    const Session& session = client.session();
+    if (session.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
+    if (session.played() != nullptr) fail("a demo is shown; `map NAME` begins something new");
+    if (client.recording()) fail("a demo is being recorded; `stop` ends it");
+    if (arguments.size() == 1) {
+        client.start_recording(path);
+        log_info("recording {}; `stop` ends it", path);
+        return;
+    }
+    // A route: all of it at once, nothing is rendered.
+    const Route route = load_route(session.files(), arguments[1]);
+    DemoRecorder recorder = client.make_recorder();
+    refresh::Frame frame = session.frame();
+    const int frames = route.frame_count(dm2::frames_per_second);
+    const double begin_s = frame.time_s;
+    for (int i = 0; i < frames; ++i) {
+        const double seconds = i / dm2::frames_per_second;
+        const Route::Key view = route.at(seconds);
+        frame.view.origin = view.origin;
+        frame.view.angles = view.angles;
+        frame.time_s = begin_s + seconds;
+        recorder.add(frame, session.light_styles());
+    }
+    client.write_recording(path, recorder);
+}
+
+} // namespace
+
+void add_demo_commands(Client& client) {
+    CommandRegistry& commands = client.commands();
+    const auto complete = [&client](CommandArguments arguments) {
+        return arguments.empty() ? list_demos(client) : std::vector<std::string>();
+    };
+    commands.add(
+        "demomap",
+        "NAME.dm2 [PREFIX EVERY]: plays a demo; with `timedemo 1` every frame once, as fast as it "
+        "can, every EVERY-th as PREFIX_000.png ...",
+        [&client](CommandArguments arguments) { demomap(client, arguments); }, complete);
+    commands.add("demos", ": lists the demos that can be played", [&client](CommandArguments) {
+        const std::vector<std::string> names = list_demos(client);
+        for (const std::string& name : names)
+            log_info("  {}", name);
+        log_info("{} demos", names.size());
+    });
+    commands.add(
+        "record",
+        "NAME [ROUTE]: records what is flown until `stop`, or routes/ROUTE.route at once, as "
+        "outdir/demos/NAME.dm2",
+        [&client](CommandArguments arguments) { record(client, arguments); });
+    commands.add("stop", ": ends the recording, or the demo that plays",
+                 [&client](CommandArguments) {
+                     if (client.recording())
+                         client.stop_recording();
+                     else if (client.playing())
+                         client.end_demo();
+                     else
+                         fail("nothing is recorded or played");
+                 });
+}
+
+} // namespace vigil::client

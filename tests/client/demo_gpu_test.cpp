@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Demos with the path tracer: a demo that was recorded along a route renders the same pictures each
+// time, and beams and particles are in them.
+#include "client/program.h"
+#include "common/cvar.h"
+#include "common/log.h"
+#include "formats/dm2_protocol.h"
+#include "formats/dm2_writer.h"
+#include "formats/image.h"
+#include "test_game.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vigil::client {
+namespace {
+
+class DemoGpuTest : public testing::Test {
+protected:
+    DemoGpuTest() {
+        for (const CvarInfo& info : cvar_infos)
+            cvars().reset(info.name);
+        sink_ = add_log_sink([this](Severity severity, std::string_view line) {
+            if (severity == Severity::Error) errors_ += std::string(line) + "\n";
+            output_ += std::string(line) + "\n";
+        });
+    }
+    ~DemoGpuTest() override { remove_log_sink(sink_); }
+
+    /// Runs small and headless on the project's own levels.
+    int run(const std::string& text) {
+        std::istringstream stream("+set basedir " VIGIL_SOURCE_DIR " +set outdir " +
+                                  game_.outdir() +
+                                  " +set vid_driver headless +set vid_width 96 +set vid_height 54 "
+                                  "+set vk_validation 2 " +
+                                  text);
+        std::vector<std::string> words;
+        for (std::string word; stream >> word;)
+            words.push_back(word);
+        std::vector<const char*> pointers;
+        for (const std::string& word : words)
+            pointers.push_back(word.c_str());
+        return run_program(pointers, [](FileSystem& files, refresh::SurfaceProvider* surface) {
+            return refresh::make_vkpt_renderer(files, surface);
+        });
+    }
+
+    Image picture(const std::string& name) const {
+        const std::string bytes = game_.read("out/" + name);
+        return decode_image(name, {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
+    }
+    /// Mean absolute difference of the channels, 0..255.
+    static double difference(const Image& a, const Image& b) {
+        double sum = 0.0;
+        for (size_t i = 0; i < a.rgba.size(); ++i)
+            sum += std::abs(double{a.rgba[i] * 1.0} - b.rgba[i]);
+        return sum / static_cast<double>(a.rgba.size());
+    }
+
+    TestGame game_;
+    std::string output_;
+    std::string errors_;
+    int sink_ = 0;
+};
+
+TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
+    ASSERT_EQ(run("+map ring +record ring ring"), 0) << errors_;
+    // Two runs of the program, and two repetitions in one.
+    const std::string plain = "+set pt_nee sll +set pt_guide brdf +set timedemo ";
+    ASSERT_EQ(run(plain + "1 +demomap ring a 40"), 0) << errors_;
+    ASSERT_EQ(run(plain + "2 +demomap ring b 40"), 0) << errors_;
+    EXPECT_NE(output_.find("all 2 together: 242 frames"), std::string::npos) << output_;
+    for (int i = 0; i < 4; ++i) {
+        const Image a = picture(fmt::format("a_{:03}.png", i));
+        EXPECT_EQ(a.rgba, picture(fmt::format("b_{:03}.png", i)).rgba) << i;
+        EXPECT_EQ(a.rgba, picture(fmt::format("b_{:03}.png", i + 4)).rgba) << i;
+    }
+    // What guiding learns depends on the order in which threads store samples: docs/playing.md.
+    const std::string guided = "+set pt_nee vlc +set pt_guide cdq +set timedemo 2 ";
+    ASSERT_EQ(run(guided + "+demomap ring c 40"), 0) << errors_;
+    for (int i = 0; i < 4; ++i) {
+        const Image first = picture(fmt::format("c_{:03}.png", i));
+        EXPECT_LT(difference(first, picture(fmt::format("c_{:03}.png", i + 4))), 2.0) << i;
+    }
+}
+
+TEST_F(DemoGpuTest, BeamsAndParticlesAreSeen) {
+    // Looks into the gallery, once as it is, once with a beam, once with particles.
+    const auto demo = [this](const std::string& name, bool beam, bool particles) {
+        dm2::Writer writer;
+        writer.add(dm2::ServerData{});
+        writer.add(dm2::ConfigString{dm2::CS_MODELS + 1, "maps/gallery.bsp"});
+        writer.end_block();
+        dm2::Frame frame;
+        frame.player.fov = 90;
+        frame.player.origin = {-110, 0, 56};
+        if (beam) {
+            dm2::EntityState state;
+            state.number = 2;
+            state.origin = {-70, -20, 56};
+            state.old_origin = {-70, 20, 56};
+            state.render_flags = dm2::RF_BEAM;
+            state.frame = 8;
+            state.skin = 0xd0d1d2d3;
+            frame.entities.push_back(state);
+        }
+        for (frame.number = 1; frame.number < 4; ++frame.number) {
+            writer.add(frame);
+            dm2::TempEntity splash;
+            splash.type = dm2::TE_LASER_SPARKS;
+            splash.count = 200;
+            splash.place = {-70, 0, 56};
+            splash.color = 0xd0;
+            if (particles) writer.add(splash);
+            writer.end_block();
+        }
+        const std::vector<uint8_t> bytes = writer.finish();
+        game_.write("out/demos/" + name + ".dm2",
+                    {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        EXPECT_EQ(run("+set timedemo 1 +set pt_exposure 0.05 +demomap " + name + " " + name + " 1"),
+                  0)
+            << errors_;
+        return picture(name + "_002.png");
+    };
+    /// Pixels that are clearly green.
+    const auto greens = [](const Image& image) {
+        int count = 0;
+        for (size_t i = 0; i < image.rgba.size(); i += 4)
+            count += image.rgba[i + 1] > 100 && image.rgba[i + 1] > 2 * image.rgba[i + 2] ? 1 : 0;
+        return count;
+    };
+    const int none = greens(demo("plain", false, false));
+    EXPECT_GT(greens(demo("beam", true, false)), none + 100);
+    EXPECT_GT(greens(demo("sparks", false, true)), none + 20);
+}
+
+} // namespace
+} // namespace vigil::client
