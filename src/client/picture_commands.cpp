@@ -14,6 +14,7 @@ namespace vigil::client {
 namespace {
 
 constexpr int most_numbered = 10000;
+constexpr int most_frames = 1'000'000; // of a flight; each leaves its times
 constexpr std::string_view route_folder = "routes/";
 constexpr std::string_view route_extension = ".route";
 
@@ -104,7 +105,10 @@ void fly(Client& client, CommandArguments arguments) {
         const std::vector<std::string> names = list_routes(files);
         fail("there is no route {} (there are: {})", path, fmt::join(names, ", "));
     }
-    client.start_flight(Route::parse(path, files.read_text(path)), std::move(plan));
+    Route route = Route::parse(path, files.read_text(path));
+    if (route.frame_count(plan.fps) > most_frames)
+        fail("{} has more than {} frames at {} per second", path, most_frames, plan.fps);
+    client.start_flight(std::move(route), std::move(plan));
     client.commands().pause_script_until([&client] { return !client.flying(); });
 }
 
