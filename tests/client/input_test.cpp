@@ -37,11 +37,11 @@ TEST(Window, HeadlessOpensNone) {
 TEST(KeyBindings, HeldCommandsNameTheirKey) {
     KeyBindings bindings;
     bindings.bind(Key::X, "+forward");
-    EXPECT_EQ(bindings.press(Key::X), "+forward x");
+    EXPECT_EQ(bindings.press(Key::X).text, "+forward x");
     bindings.bind(Key::X, "viewpos"); // bound anew while held
-    EXPECT_EQ(bindings.release(Key::X), "-forward x");
-    EXPECT_EQ(bindings.press(Key::X), "viewpos");
-    EXPECT_EQ(bindings.release(Key::X), "");
+    EXPECT_EQ(bindings.release(Key::X).text, "-forward x");
+    EXPECT_EQ(bindings.press(Key::X).text, "viewpos");
+    EXPECT_EQ(bindings.release(Key::X).text, "");
 }
 
 TEST(KeyBindings, ArchiveHoldsOnlyWhatChanged) {

@@ -20,7 +20,8 @@ protected:
         add_builtin_commands(commands, [this](std::string_view name) {
             const auto file = files.find(std::string(name));
             if (file == files.end()) fail("{}: no such file in the game folders", name);
-            return file->second;
+            const bool packed = name.starts_with("packed");
+            return ScriptText{file->second, packed ? Trust::Archive : Trust::Person};
         });
         commands.add("do", "WORDS: remembers its words", [this](CommandArguments arguments) {
             done.push_back(fmt::format("{}", fmt::join(arguments, " ")));
