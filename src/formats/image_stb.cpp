@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Around stb_image; see image_stb.h. stb_image reads zeros past the end of its input, so truncated
-// TGA and JPG files would pass as pictures with black areas: both are measured here first.
+// TGA files would pass as pictures with black areas: they are measured here first.
 #include "formats/image_stb.h"
 
 #include "common/error.h"
@@ -18,23 +18,13 @@ namespace vigil {
 
 namespace {
 
-/// Progressive pictures have about ten; one for every bit of every coefficient would be some
-/// thousand.
-constexpr size_t max_jpg_scans = 100;
-/// A JPG spends at least one bit on each of its blocks of 8 x 8 pixels.
-constexpr uint64_t max_jpg_pixels_per_byte = 512;
-
-/// `most_pixels`: what so many bytes can hold.
-Image decode_stb(std::string_view name, std::span<const uint8_t> bytes,
-                 uint64_t most_pixels = image_max_pixels) {
+Image decode_stb(std::string_view name, std::span<const uint8_t> bytes) {
     if (bytes.size() > INT_MAX) fail("{}: {} bytes are too many for a picture", name, bytes.size());
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
         fail("{}: cannot decode the picture: {}", name, printable(stbi_failure_reason()));
     check_image_size(name, static_cast<uint64_t>(width), static_cast<uint64_t>(height));
-    if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > most_pixels)
-        fail("{}: {} bytes cannot hold {} x {} pixels", name, size, width, height);
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
     if (!pixels) fail("{}: cannot decode the picture: {}", name, printable(stbi_failure_reason()));
@@ -97,15 +87,6 @@ void mirror_rows(Image& image) {
         }
 }
 
-/// Each scan of a JPG walks over the whole picture, however few bytes it has.
-void check_jpg_scans(std::string_view name, std::span<const uint8_t> bytes) {
-    size_t scans = 0;
-    for (size_t i = 0; i + 1 < bytes.size(); ++i)
-        if (bytes[i] == 0xff && bytes[i + 1] == 0xda) ++scans; // in pixel data a 0 follows 0xff
-    if (scans > max_jpg_scans)
-        fail("{}: a JPG with {} scans (limit {})", name, scans, max_jpg_scans);
-}
-
 /// Some 32-bit files carry a zero fourth byte everywhere and say so (0 alpha bits): opaque.
 void drop_unused_alpha(Image& image) {
     for (size_t i = 3; i < image.rgba.size(); i += 4)
@@ -126,15 +107,6 @@ void check_image_size(std::string_view name, uint64_t width, uint64_t height) {
 Image decode_png(std::string_view name, std::span<const uint8_t> bytes) {
     check_png(name, bytes);
     return decode_stb(name, bytes);
-}
-
-Image decode_jpg(std::string_view name, std::span<const uint8_t> bytes) {
-    check_jpg_scans(name, bytes);
-    constexpr std::array<uint8_t, 2> end_of_image = {0xff, 0xd9};
-    if (std::search(bytes.begin(), bytes.end(), end_of_image.begin(), end_of_image.end()) ==
-        bytes.end())
-        fail("{}: the JPG is truncated (no end marker)", name);
-    return decode_stb(name, bytes, bytes.size() * max_jpg_pixels_per_byte);
 }
 
 Image decode_tga(std::string_view name, std::span<const uint8_t> bytes) {
