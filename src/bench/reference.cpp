@@ -74,8 +74,11 @@ bool Reference::parse(std::span<const std::byte> file, const std::string& key) {
     if (!content || content->size() < sizeof(std::uint64_t)) return false;
     std::uint64_t values = 0;
     std::memcpy(&values, content->data(), sizeof(values));
-    const std::size_t numbers = (content->size() - sizeof(values)) / sizeof(double);
-    if (values != means_.size() || numbers < 2 * values) return false;
+    const std::size_t bytes = content->size() - sizeof(values);
+    const std::size_t numbers = bytes / sizeof(double);
+    // At least one batch, and nothing behind the last number.
+    if (values != means_.size() || numbers <= 2 * values || bytes % sizeof(double) != 0)
+        return false;
     const std::byte* cursor = content->data() + sizeof(values);
     batch_means_.resize(numbers - 2 * values);
     take(cursor, batch_means_);
