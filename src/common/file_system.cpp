@@ -133,7 +133,9 @@ std::vector<std::uint8_t> FileSystem::read(std::string_view path) const {
 }
 
 std::string FileSystem::read_text(std::string_view path) const {
-    const auto bytes = read(path);
+    if (const auto place = find(path); place && place->bytes > max_text_bytes)
+        fail("{}: too long for a text file", path);
+    const auto bytes = read(path); // a loose file may have grown since it was listed
     if (bytes.size() > max_text_bytes) fail("{}: too long for a text file", path);
     if (std::find(bytes.begin(), bytes.end(), 0) != bytes.end())
         fail("{}: is not a text file", path);

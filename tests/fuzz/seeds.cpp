@@ -5,7 +5,6 @@
 #include "common/archive_builder.h"
 #include "common/ascii_case.h"
 #include "common/binary_file.h"
-#include "common/error.h"
 #include "common/sealed.h"
 #include "formats/picture_bytes.h"
 #include "formats/small_level.h"
@@ -108,7 +107,7 @@ std::vector<Bytes> built_seeds(const Target& target) {
     }
     if (name == "names")
         return texts({"textures/e1u1/floor1_1.wal", "e1u1/+0lava", "+abutton", "../../x", "c:/x"});
-    fail("target {}: has no seeds", name);
+    return {};
 }
 
 std::vector<Bytes> found_seeds(const Target& target, const fs::path& folder) {

@@ -12,7 +12,7 @@ namespace vigil::fuzz {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Right files that are made here; at least one for every target.
+/// Right files that are made here; none for a target whose seeds are all found.
 std::vector<Bytes> built_seeds(const Target& target);
 
 /// Files of the target's format below `folder`, no larger than the target's largest input; for

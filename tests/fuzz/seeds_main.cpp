@@ -18,6 +18,7 @@ void write_seeds(const Target& target, const std::filesystem::path& out,
     for (const char* folder : folders)
         for (Bytes& seed : found_seeds(target, folder))
             seeds.push_back(std::move(seed));
+    if (seeds.empty()) seeds.emplace_back(); // libFuzzer wants a folder
     for (std::size_t i = 0; i < seeds.size(); ++i)
         write_file(out / target.name / fmt::format("{:03}", i), std::as_bytes(std::span(seeds[i])));
 }
