@@ -21,6 +21,12 @@ if(VIGIL_SANITIZE)
   target_link_options(vigil_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(VIGIL_FUZZ)
+  target_compile_options(vigil_options INTERFACE
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g)
+  target_link_options(vigil_options INTERFACE -fsanitize=address,undefined)
+endif()
+
 # vigil_library(NAME SOURCES ... DEPENDS ...): a static library with the project's settings.
 function(vigil_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})

@@ -20,6 +20,9 @@
 //   Archived  kept in the configuration file when it differs from the default
 //   Session   lasts until the program ends
 //   Start     read once when the program starts: give it on the command line with +set
+//   GuardedArchived, GuardedSession  the same as without Guarded, for variables that say where files
+//             go or what the screen does: a cfg inside a game archive cannot set these, nor those with
+//             life Start (common/command.h, Trust)
 // GLSL sees only the names of the GPU_ rows; its preprocessor knows neither stringising nor
 // pasting.
 
@@ -29,14 +32,14 @@
         "folder that holds baseq2; empty: beside the program, in its sources, or installed") \
     STRING(game, Start, "baseq2", \
         "folder below basedir whose files come before those of baseq2") \
-    STRING(outdir, Session, "out", "folder for pictures, reports and recorded demos") \
+    STRING(outdir, GuardedSession, "out", "folder for pictures, reports and recorded demos") \
     \
     CHOICE(vid_driver, Start, "auto", "auto|sdl|glfw|headless", \
         "what opens the window; auto: sdl, or headless without a display") \
-    INTEGER(vid_width, Archived, 640, 16, 16384, "width of the picture in pixels") \
-    INTEGER(vid_height, Archived, 360, 16, 16384, "height of the picture in pixels") \
-    INTEGER(vid_fullscreen, Archived, 0, 0, 1, "1: the window covers the screen") \
-    INTEGER(vid_vsync, Archived, 1, 0, 1, \
+    INTEGER(vid_width, GuardedArchived, 640, 16, 16384, "width of the picture in pixels") \
+    INTEGER(vid_height, GuardedArchived, 360, 16, 16384, "height of the picture in pixels") \
+    INTEGER(vid_fullscreen, GuardedArchived, 0, 0, 1, "1: the window covers the screen") \
+    INTEGER(vid_vsync, GuardedArchived, 1, 0, 1, \
         "1: show a frame only when the display starts a new one") \
     \
     REAL(sensitivity, Archived, 3.0, 0.01, 100.0, \
@@ -50,7 +53,7 @@
         "seconds that a new line of the console stays over the picture") \
     INTEGER(timedemo, Session, 0, 0, 1000, \
         "N above 0: demomap renders every frame of a demo once, as fast as it can, N times, and prints frame rate and GPU times") \
-    STRING(timedemo_json, Session, "", \
+    STRING(timedemo_json, GuardedSession, "", \
         "file below outdir that receives the numbers of a timedemo or a flight; empty: none") \
     \
     CHOICE(pt_nee, Session, "sll", technique_choices, \

@@ -4,6 +4,7 @@
 #include "bench/quality_estimate.h"
 #include "common/cvar.h"
 #include "common/error.h"
+#include "common/log.h"
 #include "common/output.h"
 #include "common/stopwatch.h"
 #include "refresh/vkpt/gpu/commands.h"
@@ -223,7 +224,9 @@ void QualityRenderer::complete(Reference& reference, const Pose& pose, const Ref
     const std::string key = reference_key(pose, job.row);
     const std::filesystem::path path = output_path(
         fmt::format("cache/reference-{:016x}.bin", hash_bytes(std::as_bytes(std::span(key)))));
-    if (!job.fresh) reference.load(path, key);
+    if (!job.fresh && !reference.load(path, key) && std::filesystem::exists(path))
+        log_warning("{}: damaged or of an older version; this reference is rendered anew",
+                    path.string());
     const int before = reference.batches();
     while (!job.finished()) {
         if (reference.batches() == before) begin_reference(pose, job.row, job.warmup);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// File: a line of text with the format's name, the key in a second line, then the number of batches
-// and of values (64 bits) and the arrays in the machine's byte order; a cache for this machine.
+// File: sealed under the format's name and the key; the number of values (64 bits), then the means
+// of the batches and the two arrays of values in the machine's byte order. A cache for this
+// machine.
 #include "bench/reference.h"
 
 #include "common/output.h"
+#include "common/sealed.h"
 
 #include <cmath>
 #include <cstring>
@@ -15,18 +17,15 @@ namespace vigil::bench {
 
 namespace {
 
-std::string header(const std::string& key, std::uint64_t batches, std::uint64_t values) {
-    std::string text = "vigil reference 1\n" + key + "\n";
-    for (const std::uint64_t count : {batches, values})
-        text.append(reinterpret_cast<const char*>(&count), sizeof(count));
-    return text;
+std::string kind_of(const std::string& key) {
+    return "vigil reference 2\n" + key;
 }
 
 void append(std::string& text, const std::vector<double>& values) {
     text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
 }
 
-void take(const char*& cursor, std::vector<double>& values) {
+void take(const std::byte*& cursor, std::vector<double>& values) {
     std::memcpy(values.data(), cursor, values.size() * sizeof(double));
     cursor += values.size() * sizeof(double);
 }
@@ -67,15 +66,21 @@ double Reference::picture_mean_error() const {
 bool Reference::load(const std::filesystem::path& path, const std::string& key) {
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    // The key is compared as a part of the header that this picture would have.
-    std::uint64_t count = 0;
-    const std::size_t begin = header(key, 0, means_.size()).size();
-    if (text.size() < begin) return false;
-    std::memcpy(&count, text.data() + begin - 2 * sizeof(count), sizeof(count));
-    if (text.compare(0, begin, header(key, count, means_.size())) != 0) return false;
-    if ((text.size() - begin) / sizeof(double) != count + 2 * means_.size()) return false;
-    const char* cursor = text.data() + begin;
-    batch_means_.resize(count);
+    return parse(std::as_bytes(std::span(text)), key);
+}
+
+bool Reference::parse(std::span<const std::byte> file, const std::string& key) {
+    const auto content = unseal(kind_of(key), file);
+    if (!content || content->size() < sizeof(std::uint64_t)) return false;
+    std::uint64_t values = 0;
+    std::memcpy(&values, content->data(), sizeof(values));
+    const std::size_t bytes = content->size() - sizeof(values);
+    const std::size_t numbers = bytes / sizeof(double);
+    // At least one batch, and nothing behind the last number.
+    if (values != means_.size() || numbers <= 2 * values || bytes % sizeof(double) != 0)
+        return false;
+    const std::byte* cursor = content->data() + sizeof(values);
+    batch_means_.resize(numbers - 2 * values);
     take(cursor, batch_means_);
     take(cursor, means_);
     take(cursor, squares_);
@@ -83,11 +88,12 @@ bool Reference::load(const std::filesystem::path& path, const std::string& key) 
 }
 
 void Reference::save(const std::filesystem::path& path, const std::string& key) const {
-    std::string text = header(key, batch_means_.size(), means_.size());
+    const std::uint64_t values = means_.size();
+    std::string text(reinterpret_cast<const char*>(&values), sizeof(values));
     append(text, batch_means_);
     append(text, means_);
     append(text, squares_);
-    write_file(path, text);
+    write_file(path, seal(kind_of(key), std::as_bytes(std::span(text))));
 }
 
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t hash) {

@@ -37,8 +37,10 @@ public:
     double picture_mean_error() const;
 
     /// Reads what save() wrote for exactly this key; returns false and changes nothing where there
-    /// is no such file, or one of another key or size.
+    /// is no such file, or a damaged one, or one of another key or size.
     bool load(const std::filesystem::path& path, const std::string& key);
+    /// The same with the bytes of the file.
+    bool parse(std::span<const std::byte> file, const std::string& key);
     /// Writes the file whole. Throws Error.
     void save(const std::filesystem::path& path, const std::string& key) const;
 

@@ -7,6 +7,7 @@
 #include "bench/trace_level.h"
 #include "bench/trace_rig.h"
 #include "common/error.h"
+#include "common/output.h"
 #ifdef VIGIL_HAVE_EMBREE
 #include "bench/trace_embree.h"
 #endif
@@ -17,7 +18,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <optional>
 
@@ -228,9 +228,7 @@ int run_trace_bench(std::span<const std::string> arguments) {
                                     {"rows", std::move(rows)}});
     }
     if (!options.json.empty()) {
-        std::ofstream file(options.json);
-        file << report.dump(2) << '\n';
-        if (!file) fail("{}: cannot be written", options.json);
+        write_file(options.json, report.dump(2) + "\n");
     }
     if (!agree) fmt::print("answers differ from Embree's by more than edges explain\n");
     return agree ? 0 : 1;

@@ -8,6 +8,7 @@
 #include "common/game_path.h"
 #include "common/log.h"
 #include "common/output.h"
+#include "common/printable.h"
 #include "formats/dm2_protocol.h"
 
 namespace vigil::client {
@@ -50,7 +51,7 @@ std::vector<std::string> list_demos(const Client& client) {
 /// A demo that was recorded here comes before one of the game's with the same name.
 std::vector<uint8_t> read_demo(const Client& client, const std::string& path) {
     if (const auto fault = game_path_fault(path); !fault.empty())
-        fail("\"{}\" is no name of a demo: it {}", printable_path(path), fault);
+        fail("\"{}\" is no name of a demo: it {}", printable(path), fault);
     const std::filesystem::path recorded = recorded_path(client, path);
     std::error_code none;
     if (std::filesystem::is_regular_file(recorded, none)) {
@@ -94,7 +95,7 @@ void record(Client& client, CommandArguments arguments) {
     check_count(arguments, 1, 2, "record NAME [ROUTE]");
     const std::string path = demo_path(arguments[0]);
     if (const auto fault = game_path_fault(path); !fault.empty())
-        fail("\"{}\": not recorded, the name {}", printable_path(path), fault);
+        fail("\"{}\": not recorded, the name {}", printable(path), fault);
     const Session& session = client.session();
     if (session.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
     if (session.played() != nullptr) fail("a demo is shown; `map NAME` begins something new");

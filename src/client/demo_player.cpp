@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/game_path.h"
 #include "common/log.h"
+#include "common/printable.h"
 #include "formats/dm2_protocol.h"
 
 #include <algorithm>
@@ -132,18 +133,18 @@ void DemoPlayer::take_message(const dm2::Message& message, Session& session) {
         const std::string& folder = data->game_folder;
         if (!folder.empty() && folder != "baseq2")
             log_info("{}: recorded with the game \"{}\"; `game` names the folder to look into",
-                     name(), printable_path(folder));
+                     name(), printable(folder));
         if (log_texts_ && !data->level_title.empty())
-            log_info("{}: {}", name(), printable_path(data->level_title));
+            log_info("{}: {}", name(), printable(data->level_title));
     } else if (const auto* string = std::get_if<dm2::ConfigString>(&message)) {
         strings_[string->index] = string->text;
         styles_changed_ |= string->index >= dm2::CS_LIGHTS && string->index < dm2::CS_ITEMS;
         const bool is_model = string->index > dm2::CS_MODELS && string->index < dm2::CS_SOUNDS;
         if (is_model && !level_wanted_) model_named(string->text, session);
     } else if (const auto* print = std::get_if<dm2::Print>(&message)) {
-        if (log_texts_) log_info("{}", printable_path(without_line_end(print->text)));
+        if (log_texts_) log_info("{}", printable(without_line_end(print->text)));
     } else if (const auto* center = std::get_if<dm2::CenterPrint>(&message)) {
-        if (log_texts_) log_info("{}", printable_path(without_line_end(center->text)));
+        if (log_texts_) log_info("{}", printable(without_line_end(center->text)));
     }
 }
 
@@ -165,7 +166,7 @@ void DemoPlayer::start_level(Session& session) {
     for (uint32_t i = 2; i < dm2::model_count; ++i) {
         const std::string& model = strings_[dm2::CS_MODELS + i];
         if (model.empty() || model.starts_with('*') || model.starts_with('#')) continue;
-        if (model_named(model, session) < 0) missing.push_back(printable_path(model));
+        if (model_named(model, session) < 0) missing.push_back(printable(model));
     }
     if (!missing.empty())
         log_info("{}: {} models cannot be shown: {}", name(), missing.size(),
@@ -181,7 +182,7 @@ void DemoPlayer::follow_light_styles(Session& session) {
             styles.set_pattern(static_cast<int>(i),
                                string != strings_.end() ? string->second : std::string());
         } catch (const Error& error) {
-            log_warning("{}: light style {}: {}", name(), i, printable_path(error.what()));
+            log_warning("{}: light style {}: {}", name(), i, printable(error.what()));
         }
     }
     session.set_light_styles(styles);
@@ -303,7 +304,7 @@ refresh::ModelHandle DemoPlayer::model_named(const std::string& name, Session& s
         if (!name.empty() && !name.starts_with('#'))
             handle = session.renderer().register_model(name);
     } catch (const Error& error) {
-        if (frames_ > 0) log_warning("{}: {}", this->name(), printable_path(error.what()));
+        if (frames_ > 0) log_warning("{}: {}", this->name(), printable(error.what()));
     }
     return models_.emplace(name, handle).first->second;
 }

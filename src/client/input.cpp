@@ -34,6 +34,10 @@ void Input::handle(const platform::Event& event, bool mouse_look) {
     std::visit([this](const auto& what) { on(what); }, event);
 }
 
+void Input::run(const ScriptText& script) {
+    commands_.execute_text(script.text, {}, script.trust);
+}
+
 void Input::on(const KeyEvent& event) {
     if (event.key == Key::Ctrl) ctrl_ = event.down;
     if (event.key == Key::Shift) shift_ = event.down;
@@ -44,7 +48,7 @@ void Input::on(const KeyEvent& event) {
     }
     if (event.key == Key::Grave) skip_text_ = false;
     // Releases always arrive, or a key held while the console opened would be stuck.
-    commands_.execute_text(bindings_.release(event.key));
+    run(bindings_.release(event.key));
 }
 
 void Input::press(const KeyEvent& event) {
@@ -62,7 +66,7 @@ void Input::press(const KeyEvent& event) {
         if (!is_wheel(event.key)) console_.key(event.key, ctrl_, shift_);
         return;
     }
-    if (!event.repeat) commands_.execute_text(bindings_.press(event.key));
+    if (!event.repeat) run(bindings_.press(event.key));
 }
 
 void Input::on(const platform::TextEvent& event) {
@@ -89,7 +93,7 @@ void Input::on(const platform::FocusEvent& event) {
     if (focused_) return;
     // Keys that come up now are reported to another window.
     ctrl_ = shift_ = alt_ = skip_text_ = false;
-    commands_.execute_text(bindings_.release_all());
+    run(bindings_.release_all());
 }
 
 } // namespace vigil::client

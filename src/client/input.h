@@ -34,6 +34,7 @@ private:
     void on(const platform::CloseEvent&) { close_requested_ = true; }
 
     void press(const platform::KeyEvent& event);
+    void run(const ScriptText& script);
 
     CommandRegistry& commands_;
     KeyBindings& bindings_;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace vigil::client {
@@ -48,44 +49,45 @@ std::string release_text(std::string_view held, Key key) {
 
 KeyBindings::KeyBindings() {
     for (const auto& [key, command] : defaults)
-        at(key) = command;
+        bind(key, command);
 }
 
-std::string& KeyBindings::at(Key key) {
-    return commands_.at(index_of(key));
+void KeyBindings::bind(Key key, std::string_view command, Trust trust) {
+    commands_.at(index_of(key)) = {std::string(command), trust};
+    if (trust == Trust::Person) kept_.at(index_of(key)) = commands_.at(index_of(key));
 }
 
-void KeyBindings::bind(Key key, std::string_view command) {
-    at(key) = command;
-}
-
-void KeyBindings::unbind_all() {
-    commands_.fill({});
+void KeyBindings::unbind_all(Trust trust) {
+    for (int i = 0; i < key_count; ++i)
+        bind(static_cast<Key>(i), "", trust);
 }
 
 const std::string& KeyBindings::command(Key key) const {
-    return commands_.at(index_of(key));
+    return commands_.at(index_of(key)).text;
 }
 
-std::string KeyBindings::press(Key key) {
-    const std::string& command = at(key);
-    if (!command.starts_with('+')) return command;
+ScriptText KeyBindings::press(Key key) {
+    const ScriptText& command = commands_.at(index_of(key));
+    if (!command.text.starts_with('+')) return command;
     held_.at(index_of(key)) = command;
-    return fmt::format("{} {}", command, quote_word(key_name(key)));
+    return {fmt::format("{} {}", command.text, quote_word(key_name(key))), command.trust};
 }
 
-std::string KeyBindings::release(Key key) {
-    const std::string held = std::exchange(held_.at(index_of(key)), {});
-    return held.empty() ? std::string() : release_text(held, key);
+ScriptText KeyBindings::release(Key key) {
+    const ScriptText held = std::exchange(held_.at(index_of(key)), {});
+    if (held.text.empty()) return {};
+    return {release_text(held.text, key), held.trust};
 }
 
-std::string KeyBindings::release_all() {
-    std::string text;
+ScriptText KeyBindings::release_all() {
+    ScriptText all;
     for (int i = 0; i < key_count; ++i) {
-        const std::string line = release(static_cast<Key>(i));
-        if (!line.empty()) text += line + "\n";
+        const ScriptText line = release(static_cast<Key>(i));
+        if (line.text.empty()) continue;
+        all.text += line.text + "\n";
+        all.trust = std::min(all.trust, line.trust);
     }
-    return text;
+    return all;
 }
 
 std::string KeyBindings::list_text() const {
@@ -103,10 +105,10 @@ std::string KeyBindings::archive_text() const {
     std::string text;
     for (int i = 0; i < key_count; ++i) {
         const Key key = static_cast<Key>(i);
-        if (command(key) == untouched.command(key)) continue;
-        text += command(key).empty()
-                    ? fmt::format("unbind {}\n", quote_word(key_name(key)))
-                    : fmt::format("bind {} \"{}\"\n", quote_word(key_name(key)), command(key));
+        const std::string& kept = kept_.at(index_of(key)).text;
+        if (kept == untouched.command(key)) continue;
+        text += kept.empty() ? fmt::format("unbind {}\n", quote_word(key_name(key)))
+                             : fmt::format("bind {} \"{}\"\n", quote_word(key_name(key)), kept);
     }
     return text;
 }

@@ -4,6 +4,7 @@
 // Quake).
 #pragma once
 
+#include "common/command.h"
 #include "platform/key.h"
 
 #include <array>
@@ -17,17 +18,18 @@ public:
     /// Starts with the keys of default_text().
     KeyBindings();
 
-    /// Empty text removes the binding.
-    void bind(platform::Key key, std::string_view command);
-    void unbind_all();
+    /// Empty text removes the binding. What an archive's script binds runs as its own when the key
+    /// is pressed, and is not kept.
+    void bind(platform::Key key, std::string_view command, Trust trust = Trust::Person);
+    void unbind_all(Trust trust = Trust::Person);
     const std::string& command(platform::Key key) const;
 
-    /// Console text to run when the key goes down or comes up; "" for nothing. The key that
+    /// What to run when the key goes down or comes up; empty text for nothing. The key that
     /// released a held command is the one that pressed it, even when it was bound anew in between.
-    std::string press(platform::Key key);
-    std::string release(platform::Key key);
-    /// Text that releases everything held (the window lost the keyboard).
-    std::string release_all();
+    ScriptText press(platform::Key key);
+    ScriptText release(platform::Key key);
+    /// Releases everything held (the window lost the keyboard).
+    ScriptText release_all();
 
     /// Lines `bind KEY "COMMAND"` of every bound key.
     std::string list_text() const;
@@ -35,12 +37,11 @@ public:
     std::string archive_text() const;
 
 private:
-    using Commands = std::array<std::string, platform::key_count>;
-
-    std::string& at(platform::Key key);
+    using Commands = std::array<ScriptText, platform::key_count>;
 
     Commands commands_;
     Commands held_; // the command a pressed key must release
+    Commands kept_; // what the configuration file keeps
 };
 
 } // namespace vigil::client

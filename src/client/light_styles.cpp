@@ -5,6 +5,7 @@
 
 #include "common/ascii_case.h"
 #include "common/error.h"
+#include "common/printable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ LightStyles::Style& LightStyles::at(int style) {
 void LightStyles::set_pattern(int style, std::string_view letters) {
     const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
     if (!std::ranges::all_of(letters, is_letter)) {
-        fail("a light style is a number or letters a to z, not \"{}\"", letters);
+        fail("a light style is a number or letters a to z, not \"{}\"", printable(letters, 80));
     }
     at(style) = {std::string(letters), 1.0f};
 }

@@ -14,6 +14,7 @@ namespace vigil::client {
 namespace {
 
 constexpr int most_numbered = 10000;
+constexpr int most_frames = 1'000'000; // of a flight; each leaves its times
 
 std::filesystem::path path_of(std::string_view name, std::string_view extension) {
     if (ends_nocase(name, extension)) return output_path(name);
@@ -82,7 +83,11 @@ void fly(Client& client, CommandArguments arguments) {
     plan.json = client.commands().variables()->timedemo_json;
     plan.size = client.picture_size();
 
-    client.start_flight(load_route(client.session().files(), arguments[0]), std::move(plan));
+    Route route = load_route(client.session().files(), plan.name);
+    if (route.frame_count(plan.fps) > most_frames)
+        fail("the route {} has more than {} frames at {} per second", plan.name, most_frames,
+             plan.fps);
+    client.start_flight(std::move(route), std::move(plan));
     client.commands().pause_script_until([&client] { return !client.flying(); });
 }
 

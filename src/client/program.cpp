@@ -43,15 +43,33 @@ std::string file_text(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// A cfg file of the game; loose files count as the person's own.
+ScriptText game_script(const FileSystem& files, std::string_view name) {
+    const auto place = files.find(name);
+    const bool packed = place && place->in_archive;
+    return {files.read_text(name), packed ? Trust::Archive : Trust::Person};
+}
+
 /// `exec NAME`: a file of the user's configuration folder, else of the game.
 ScriptReader script_reader(const FileSystem& files) {
-    return [&files](std::string_view name) {
+    return [&files](std::string_view name) -> ScriptText {
         const std::filesystem::path own = config_dir() / std::filesystem::path(name).filename();
-        if (name.find('/') == std::string_view::npos && std::filesystem::exists(own)) {
-            return file_text(own);
+        if (name.find('/') == std::string_view::npos && std::filesystem::is_regular_file(own)) {
+            return {file_text(own), Trust::Person};
         }
-        return files.read_text(name);
+        return game_script(files, name);
     };
+}
+
+/// What the game brings to run at the start. A file that cannot be read is said so and passed over.
+void run_autoexec(CommandRegistry& commands, const FileSystem& files) {
+    if (!files.exists(autoexec_name)) return;
+    try {
+        const ScriptText script = game_script(files, autoexec_name);
+        commands.execute_text(script.text, autoexec_name, script.trust);
+    } catch (const Error& error) {
+        log_error("{}", error.what());
+    }
 }
 
 /// What the player changed, kept for the next time. A failure here is a warning: the game is over.
@@ -113,10 +131,8 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
     const std::unique_ptr<refresh::Renderer> renderer = make_renderer(files, window.get());
 
     Client client({files, commands, bindings, console, overlay, *renderer, window.get()});
-    if (files.exists(autoexec_name)) {
-        commands.execute_text(files.read_text(autoexec_name), autoexec_name);
-        apply_early_sets(line, variables);
-    }
+    run_autoexec(commands, files);
+    apply_early_sets(line, variables);
     const int failures_before = commands.failures();
     // A last wait, so that the frames of one before it are shown although nothing follows it.
     std::vector<std::vector<std::string>> words = line.commands;

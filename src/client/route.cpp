@@ -18,6 +18,10 @@ namespace {
 constexpr size_t columns = 7;
 constexpr std::string_view route_folder = "routes/";
 constexpr std::string_view route_extension = ".route";
+/// Seconds, map units and degrees; sums, slopes and frame numbers stay finite.
+constexpr float max_number = 1e6f;
+/// Views nearer to each other in time than this would make the slope between them overflow.
+constexpr double min_step_s = 1e-3;
 
 /// The words of a line up to its comment.
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -52,10 +56,13 @@ Route Route::parse(std::string_view name, std::string_view text) {
         std::array<float, columns> v{};
         bool good = words.size() == columns;
         for (size_t i = 0; good && i < columns; ++i)
-            good = parse_number(words[i], v[i]);
-        if (!good) fail("{}, line {}: expected `time x y z pitch yaw roll`", name, line_number);
-        if (!keys.empty() && static_cast<double>(v[0]) <= keys.back().time_s) {
-            fail("{}, line {}: times must increase", name, line_number);
+            good = parse_number(words[i], v[i]) && std::abs(v[i]) <= max_number;
+        if (!good)
+            fail("{}, line {}: expected `time x y z pitch yaw roll`, numbers up to {:g}", name,
+                 line_number, max_number);
+        if (!keys.empty() && static_cast<double>(v[0]) < keys.back().time_s + min_step_s) {
+            fail("{}, line {}: times must increase, by {} s at least", name, line_number,
+                 min_step_s);
         }
         keys.push_back({v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
     }
@@ -73,7 +80,8 @@ Route::Route(std::vector<Key> keys) : keys_(std::move(keys)) {
 
 int Route::frame_count(double fps) const {
     // A hair more, so that 2.0 s at 20 fps reach the last view in spite of rounding.
-    return 1 + static_cast<int>(std::floor(duration_s() * fps + 1e-6));
+    const double frames = std::floor(duration_s() * fps + 1e-6);
+    return 1 + static_cast<int>(std::min(frames, 2147483646.0));
 }
 
 glm::vec3 Route::slope(size_t index, glm::vec3 Key::*member) const {

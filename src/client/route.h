@@ -22,7 +22,8 @@ public:
     };
 
     /// Parses the text of a route. Throws Error with `name` and the line when a line has not
-    /// exactly seven finite numbers or the times do not increase, and when there is no line at all.
+    /// exactly seven numbers of at most a million, when times do not increase by a millisecond, and
+    /// when there is no line at all.
     static Route parse(std::string_view name, std::string_view text);
 
     /// Keys with increasing times, at least one.

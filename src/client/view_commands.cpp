@@ -41,7 +41,7 @@ std::vector<std::string> key_candidates(CommandArguments arguments) {
     return {names.begin(), names.end()};
 }
 
-void bind(KeyBindings& bindings, CommandArguments arguments) {
+void bind(KeyBindings& bindings, CommandArguments arguments, Trust trust) {
     if (arguments.empty()) fail("usage: bind KEY [COMMAND]");
     const platform::Key key = key_argument(arguments[0]);
     if (arguments.size() == 1) {
@@ -54,7 +54,7 @@ void bind(KeyBindings& bindings, CommandArguments arguments) {
     std::string command = arguments[1];
     for (const std::string& word : arguments.subspan(2))
         command += " " + word;
-    bindings.bind(key, command);
+    bindings.bind(key, command, trust);
 }
 
 } // namespace
@@ -99,16 +99,17 @@ void add_view_commands(Client& client) {
 void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings) {
     commands.add(
         "bind", "KEY [COMMAND]: runs the command when the key is pressed, or shows what it runs",
-        [&bindings](CommandArguments arguments) { bind(bindings, arguments); }, key_candidates);
+        [&](CommandArguments arguments) { bind(bindings, arguments, commands.trust()); },
+        key_candidates);
     commands.add(
         "unbind", "KEY: the key does nothing any more",
-        [&bindings](CommandArguments arguments) {
+        [&](CommandArguments arguments) {
             check_count(arguments, 1, 1, "unbind KEY");
-            bindings.bind(key_argument(arguments[0]), "");
+            bindings.bind(key_argument(arguments[0]), "", commands.trust());
         },
         key_candidates);
     commands.add("unbindall", ": no key does anything any more",
-                 [&bindings](CommandArguments) { bindings.unbind_all(); });
+                 [&](CommandArguments) { bindings.unbind_all(commands.trust()); });
     commands.add("bindlist", ": lists the keys and what they run",
                  [&bindings](CommandArguments) { log_info("{}", bindings.list_text()); });
 }

@@ -97,7 +97,7 @@ void add_variable_commands(CommandRegistry& commands) {
         "reset", "NAME: sets a variable to its default",
         [&](CommandArguments arguments) {
             expect_arguments(arguments, 1, 1, "reset NAME");
-            variables.reset(known_cvar(arguments[0]).name);
+            commands.reset_variable(known_cvar(arguments[0]).name);
         },
         variable_names);
     commands.add(
@@ -153,7 +153,7 @@ void add_help_commands(CommandRegistry& commands) {
         if (command != commands.commands().end())
             log_info("{} {}", name, command->second.help);
         else if (alias != commands.aliases().end())
-            log_info("{} is an alias for: {}", name, alias->second);
+            log_info("{} is an alias for: {}", name, alias->second.text);
         else if (const CvarInfo* info = find_cvar(name))
             log_info("{}", describe_cvar(*info, variables.values()));
         else
@@ -188,20 +188,21 @@ void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
     commands.add("exec", "FILE: runs the commands of a cfg file",
                  [&commands, read = std::move(read_script)](CommandArguments arguments) {
                      expect_arguments(arguments, 1, 1, "exec FILE");
-                     commands.insert_text(read(arguments[0]), arguments[0]);
+                     const ScriptText script = read(arguments[0]);
+                     commands.insert_text(script.text, arguments[0], script.trust);
                  });
 
     commands.add("alias", "[NAME [COMMANDS]]: names a list of commands; shows one or all",
                  [&](CommandArguments arguments) {
                      if (arguments.empty()) {
-                         for (const auto& [name, text] : commands.aliases())
-                             log_info("  {} : {}", name, text);
+                         for (const auto& [name, script] : commands.aliases())
+                             log_info("  {} : {}", name, script.text);
                          log_info("{} aliases", commands.aliases().size());
                      } else if (arguments.size() == 1) {
                          const auto alias = commands.aliases().find(ascii_lower(arguments[0]));
                          if (alias == commands.aliases().end())
                              fail("{}: no such alias", arguments[0]);
-                         log_info("{} : {}", alias->first, alias->second);
+                         log_info("{} : {}", alias->first, alias->second.text);
                      } else {
                          commands.set_alias(arguments[0], join(arguments.subspan(1)));
                      }

@@ -11,8 +11,8 @@
 
 namespace vigil {
 
-/// Gives the text of the cfg file `name` (as typed after `exec`); throws Error when there is none.
-using ScriptReader = std::function<std::string(std::string_view name)>;
+/// Gives the cfg file `name` (as typed after `exec`); throws Error when there is none.
+using ScriptReader = std::function<ScriptText(std::string_view name)>;
 
 /// Adds them. `exec` takes its files from `read_script`.
 void add_builtin_commands(CommandRegistry& commands, ScriptReader read_script);

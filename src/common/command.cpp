@@ -6,6 +6,7 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/printable.h"
 
 #include <algorithm>
 #include <exception>
@@ -23,6 +24,10 @@ constexpr int max_nesting = 16;
 // One script may run this many commands between two pauses: an alias that calls itself twice per
 // level stays within max_depth but would never end.
 constexpr int max_commands = 100'000;
+// A command with its variables filled in; a variable's text may be repeated in it.
+constexpr std::size_t max_line_bytes = 65536;
+// Aliases stay until the program ends.
+constexpr std::size_t max_aliases = 1024;
 
 bool is_name_character(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (ascii_lower(c) >= 'a' && ascii_lower(c) <= 'z');
@@ -52,7 +57,9 @@ void CommandRegistry::set_alias(std::string_view name, std::string_view text) {
     if (lower.empty()) fail("an alias needs a name");
     if (find_cvar(lower)) fail("{}: a variable has this name", name);
     if (commands_.contains(lower)) fail("{}: a command has this name", name);
-    aliases_[lower] = text;
+    if (aliases_.size() >= max_aliases && !aliases_.contains(lower))
+        fail("{}: there are {} aliases already, the most there may be", name, max_aliases);
+    aliases_[lower] = {std::string(text), trust_};
 }
 
 void CommandRegistry::remove_alias(std::string_view name) {
@@ -61,10 +68,14 @@ void CommandRegistry::remove_alias(std::string_view name) {
     aliases_.erase(found);
 }
 
-void CommandRegistry::execute_text(std::string_view text, std::string_view origin) {
+Trust CommandRegistry::lowered(Trust trust) const {
+    return std::min(trust, trust_);
+}
+
+void CommandRegistry::execute_text(std::string_view text, std::string_view origin, Trust trust) {
     Script script;
     for (CommandText& command : split_commands(text))
-        script.pending.push_back({std::move(command), std::string(origin), 0});
+        script.pending.push_back({std::move(command), std::string(origin), lowered(trust), 0});
     start(std::move(script));
 }
 
@@ -151,12 +162,14 @@ bool CommandRegistry::run_one(Script& script) {
         return false;
     }
 
+    const Trust outer = std::exchange(trust_, lowered(pending.trust));
     try {
         if (pending.command.open_quote) fail("a double quote is missing");
         dispatch(expand(pending.command));
     } catch (const std::exception& exception) {
         report(name, exception.what(), pending);
     }
+    trust_ = outer;
     return true;
 }
 
@@ -164,7 +177,8 @@ void CommandRegistry::report(std::string_view name, std::string_view text, const
     ++failures_;
     // Errors of variables begin with the variable's name already.
     std::string message(text);
-    if (!text.starts_with(fmt::format("{}: ", name))) message = fmt::format("{}: {}", name, text);
+    if (!text.starts_with(fmt::format("{}: ", name)))
+        message = fmt::format("{}: {}", printable(name), text);
     if (!pending.origin.empty())
         message += fmt::format(" ({}, line {})", pending.origin, pending.command.line);
     log_text(Severity::Error, message);
@@ -173,7 +187,14 @@ void CommandRegistry::report(std::string_view name, std::string_view text, const
 // The words with `$name` replaced by the variable's value outside quotes.
 std::vector<std::string> CommandRegistry::expand(const CommandText& command) const {
     std::vector<std::string> words;
+    std::size_t finished_bytes = 0;
+    const auto check_length = [&](std::size_t bytes) {
+        if (finished_bytes + bytes > max_line_bytes)
+            fail("the command is longer than {} bytes", max_line_bytes);
+    };
     for (const CommandWord& word : command.words) {
+        if (!words.empty()) finished_bytes += words.back().size() + 1;
+        check_length(word.text.size());
         if (word.quoted) {
             words.push_back(word.text);
             continue;
@@ -189,6 +210,7 @@ std::vector<std::string> CommandRegistry::expand(const CommandText& command) con
             } else {
                 expanded += word.text[i++];
             }
+            check_length(expanded.size());
         }
         words.push_back(std::move(expanded));
     }
@@ -203,7 +225,8 @@ void CommandRegistry::dispatch(const std::vector<std::string>& words) {
         const CommandFunction function = command->second.function; // it may remove itself
         function(arguments);
     } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
-        insert_text(std::string(alias->second));
+        const ScriptText script = alias->second; // it may redefine itself
+        insert_text(script.text, {}, script.trust);
     } else if (const CvarInfo* info = find_cvar(name)) {
         if (arguments.size() > 1) fail("takes one value; put text with spaces in double quotes");
         if (arguments.empty())
@@ -215,21 +238,42 @@ void CommandRegistry::dispatch(const std::vector<std::string>& words) {
     }
 }
 
+void CommandRegistry::check_may_set(const CvarInfo& info) const {
+    if (info.guarded && trust_ == Trust::Archive)
+        fail("{}: not set, for the command comes from a cfg inside a game archive", info.name);
+}
+
 void CommandRegistry::set_variable(std::string_view name, std::string_view text) {
-    variables_.set(name, text);
+    if (const CvarInfo* info = find_cvar(name)) check_may_set(*info);
+    if (trust_ == Trust::Person)
+        variables_.set(name, text);
+    else
+        variables_.set_for_this_run(name, text);
     if (find_cvar(name)->life == CvarLife::Start)
         log_info("{} is read when the program starts: put +set {} {} on the command line", name,
                  name, quote_word(text));
 }
 
-void CommandRegistry::insert_text(std::string_view text, std::string_view origin) {
+void CommandRegistry::reset_variable(std::string_view name) {
+    const CvarInfo* info = find_cvar(name);
+    if (info) check_may_set(*info);
+    if (info && trust_ == Trust::Archive)
+        variables_.set_for_this_run(name, cvar_default_text(*info));
+    else
+        variables_.reset(name);
+}
+
+void CommandRegistry::insert_text(std::string_view text, std::string_view origin, Trust trust) {
     if (!running_) {
-        execute_text(text, origin);
+        execute_text(text, origin, trust);
         return;
     }
     std::vector<Pending> inserted;
     for (CommandText& command : split_commands(text))
-        inserted.push_back({std::move(command), std::string(origin), running_->depth + 1});
+        inserted.push_back(
+            {std::move(command), std::string(origin), lowered(trust), running_->depth + 1});
+    if (running_->pending.size() + inserted.size() > std::size_t{max_commands})
+        fail("more than {} commands wait to run; nothing of it runs", max_commands);
     running_->pending.insert(running_->pending.begin(), std::make_move_iterator(inserted.begin()),
                              std::make_move_iterator(inserted.end()));
 }

@@ -19,6 +19,18 @@
 
 namespace vigil {
 
+/// Who wrote a script. What somebody else packed into a game archive may change how the game plays,
+/// but not the guarded variables (cvar_table.h): where files go and what the screen does. Aliases
+/// and key bindings remember who made them, and a script runs with the trust of the least trusted
+/// one that led to it.
+enum class Trust { Archive, Person };
+
+/// A script and who wrote it.
+struct ScriptText {
+    std::string text;
+    Trust trust = Trust::Person;
+};
+
 /// The words after the command's name.
 using CommandArguments = std::span<const std::string>;
 using CommandFunction = std::function<void(CommandArguments)>;
@@ -41,7 +53,7 @@ public:
         CommandCompletion complete;
     };
     using CommandMap = std::map<std::string, Command, std::less<>>;
-    using AliasMap = std::map<std::string, std::string, std::less<>>;
+    using AliasMap = std::map<std::string, ScriptText, std::less<>>;
 
     explicit CommandRegistry(CvarRegistry& variables = cvars());
 
@@ -53,7 +65,8 @@ public:
     /// Runs `text` now, as a script of its own: commands run in order until one pauses it;
     /// run_frame() resumes it. Never throws for what a command does wrong. `origin` (a file's name)
     /// stands in messages.
-    void execute_text(std::string_view text, std::string_view origin = {});
+    void execute_text(std::string_view text, std::string_view origin = {},
+                      Trust trust = Trust::Person);
 
     /// The same for commands that are split into words already (the command line).
     void execute_words(std::span<const std::vector<std::string>> commands);
@@ -69,8 +82,13 @@ public:
     void pause_script_until(std::function<bool()> done);
 
     /// For commands: runs `text` in the script that runs this command, before what follows in it.
-    /// Throws Error when scripts call each other too deeply. Outside a script it runs it at once.
-    void insert_text(std::string_view text, std::string_view origin = {});
+    /// Throws Error when more commands wait to run than a script may hold. Outside a script it runs
+    /// it at once.
+    void insert_text(std::string_view text, std::string_view origin = {},
+                     Trust trust = Trust::Person);
+
+    /// Who wrote the command that runs now; a person where none does.
+    Trust trust() const { return trust_; }
 
     /// Drops everything that waits to run, the rest of the running script included (for `quit`).
     void clear();
@@ -87,9 +105,12 @@ public:
 
     CvarRegistry& variables() const { return variables_; }
 
-    /// Sets a variable as a person does: as CvarRegistry::set, and tells when a new value shows
-    /// only at the next start (life Start).
+    /// Sets a variable for the command that runs now: as CvarRegistry::set, and tells when a new
+    /// value shows only at the next start (life Start). What an archive's script sets is not kept
+    /// in the configuration file, and a guarded variable throws Error.
     void set_variable(std::string_view name, std::string_view text);
+    /// The same for the default value.
+    void reset_variable(std::string_view name);
 
     const CommandMap& commands() const { return commands_; }
 
@@ -102,6 +123,7 @@ private:
     struct Pending {
         CommandText command;
         std::string origin;
+        Trust trust = Trust::Person;
         int depth = 0; ///< how many scripts and aliases led here since the last pause
     };
     struct Script {
@@ -112,6 +134,8 @@ private:
         int depth = 0;
     };
 
+    Trust lowered(Trust trust) const;
+    void check_may_set(const CvarInfo& info) const;
     void start(Script script);
     bool pause_ended(Script& script);
     void run(Script& script);
@@ -126,6 +150,7 @@ private:
     AliasMap aliases_;
     std::vector<Script> scripts_;
     Script* running_ = nullptr;
+    Trust trust_ = Trust::Person; ///< of the running command
     int nesting_ = 0;
     std::uint64_t clears_ = 0;
     int failures_ = 0;

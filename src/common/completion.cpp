@@ -72,7 +72,7 @@ Completion CommandRegistry::complete(std::string_view line) const {
     } else {
         for (const auto& [name, command] : commands_)
             all.push_back(name);
-        for (const auto& [name, text] : aliases_)
+        for (const auto& [name, script] : aliases_)
             all.push_back(name);
         for (const CvarInfo& info : cvar_infos)
             all.emplace_back(info.name);

@@ -74,6 +74,8 @@ std::string check_string(const CvarInfo& info, std::string_view text) {
         if (byte < 32 || byte == 127 || c == '"')
             fail("{}: the text holds a double quote or a control character", info.name);
     }
+    if (text.size() > cvar_max_bytes)
+        fail("{}: the text has {} bytes (limit {})", info.name, text.size(), cvar_max_bytes);
     return std::string(text);
 }
 

@@ -21,6 +21,19 @@ enum class CvarType { String, Integer, Real, Choice };
 /// How long a value lasts; see the table.
 enum class CvarLife { Archived, Session, Start };
 
+/// The column "life" of the table: how long a value lasts, and whether the variable is guarded.
+namespace cvar_life {
+struct Column {
+    CvarLife lasts;
+    bool guarded;
+};
+inline constexpr Column Archived{CvarLife::Archived, false};
+inline constexpr Column Session{CvarLife::Session, false};
+inline constexpr Column GuardedArchived{CvarLife::Archived, true};
+inline constexpr Column GuardedSession{CvarLife::Session, true};
+inline constexpr Column Start{CvarLife::Start, true};
+} // namespace cvar_life
+
 /// Number of choices in "a|b|c".
 constexpr int choice_count(std::string_view choices) {
     int count = 1;
@@ -61,11 +74,15 @@ struct CvarValues {
 #undef VIGIL_CHOICE
 };
 
+/// Longest text of a String variable. Scripts repeat variables in one another; this bounds it.
+inline constexpr std::size_t cvar_max_bytes = 4096;
+
 /// One row of the table.
 struct CvarInfo {
     std::string_view name;
     CvarType type;
     CvarLife life;
+    bool guarded;             ///< scripts from game archives cannot set it
     bool gpu;                 ///< a field of GpuCvars
     double minimum, maximum;  ///< Integer and Real: inclusive range
     std::string_view choices; ///< Choice: names with bars between them
@@ -76,12 +93,14 @@ struct CvarInfo {
 // clang-format off
 inline constexpr CvarInfo cvar_infos[] = {
 #define VIGIL_STRING(name, life, value, help) \
-    {#name, CvarType::String, CvarLife::life, false, 0, 0, "", help, &CvarValues::name},
-#define VIGIL_NUMBER_ROW(name, type, life, gpu, low, high, help) \
-    {#name, CvarType::type, CvarLife::life, gpu, low, high, "", help, &CvarValues::name},
-#define VIGIL_CHOICE_ROW(name, life, gpu, choices, help) \
-    {#name, CvarType::Choice, CvarLife::life, gpu, 0, choice_count(choices) - 1.0, choices, help, \
+    {#name, CvarType::String, cvar_life::life.lasts, cvar_life::life.guarded, false, 0, 0, "", help, \
      &CvarValues::name},
+#define VIGIL_NUMBER_ROW(name, type, life, gpu, low, high, help) \
+    {#name, CvarType::type, cvar_life::life.lasts, cvar_life::life.guarded, gpu, low, high, "", help, \
+     &CvarValues::name},
+#define VIGIL_CHOICE_ROW(name, life, gpu, choices, help) \
+    {#name, CvarType::Choice, cvar_life::life.lasts, cvar_life::life.guarded, gpu, 0, \
+     choice_count(choices) - 1.0, choices, help, &CvarValues::name},
 #define VIGIL_INTEGER(name, life, value, low, high, help) \
     VIGIL_NUMBER_ROW(name, Integer, life, false, low, high, help)
 #define VIGIL_REAL(name, life, value, low, high, help) \
@@ -145,7 +164,8 @@ public:
     /// Sets a variable from text. A choice is given by name (in any case) or index. A number
     /// outside the range is clamped and a warning logged. Throws Error when the name is unknown,
     /// when the text is not a number or a choice (NaN is not a number), or when a string holds
-    /// control characters or double quotes, which a configuration file could not hold.
+    /// control characters or double quotes, which a configuration file could not hold, or more than
+    /// cvar_max_bytes.
     void set(std::string_view name, std::string_view text);
 
     /// As set(), but what the configuration file keeps stays as it was: for the command line.

@@ -25,6 +25,8 @@ public:
     virtual ~FileSource() = default;
 
     const std::string& name() const { return name_; }
+    /// True where the files were packed by somebody; false where they lie loose in a folder.
+    bool is_archive() const { return is_archive_; }
     const std::vector<File>& files() const { return files_; }
 
     /// Index into files() for a path in lower case.
@@ -34,7 +36,8 @@ public:
     virtual std::vector<std::uint8_t> read(std::size_t index) const = 0;
 
 protected:
-    explicit FileSource(std::string name) : name_(std::move(name)) {}
+    FileSource(std::string name, bool is_archive)
+        : name_(std::move(name)), is_archive_(is_archive) {}
 
     /// Adds a file, with backslashes turned round (archives packed on Windows). False, and counted
     /// as skipped, when the path is not a safe one; false when the name is there already: the first
@@ -46,6 +49,7 @@ protected:
 
 private:
     std::string name_;
+    bool is_archive_;
     std::vector<File> files_;
     std::unordered_map<std::string, std::size_t> by_lower_path_;
     std::size_t skipped_ = 0;

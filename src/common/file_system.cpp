@@ -8,6 +8,7 @@
 #include "common/file_source.h"
 #include "common/game_path.h"
 #include "common/log.h"
+#include "common/printable.h"
 
 #include <algorithm>
 #include <map>
@@ -69,7 +70,7 @@ bool FileSource::add(std::string path, std::uint64_t bytes) {
 void FileSource::report_skipped() const {
     if (skipped_ > 0)
         log_warning("{}: {} files skipped for unsafe names, the first is \"{}\", which {}", name_,
-                    skipped_, printable_path(first_skipped_), game_path_fault(first_skipped_));
+                    skipped_, printable(first_skipped_), game_path_fault(first_skipped_));
 }
 
 std::optional<std::size_t> FileSource::find(const std::string& lower_path) const {
@@ -85,7 +86,7 @@ FileSystem& FileSystem::operator=(FileSystem&&) noexcept = default;
 
 void FileSystem::mount_game(const fs::path& basedir, std::string_view game) {
     if (const auto fault = game_path_fault(game); !fault.empty())
-        fail("game \"{}\": the name {}", printable_path(game), fault);
+        fail("game \"{}\": the name {}", printable(game), fault);
     if (game.find('/') != std::string_view::npos) fail("game \"{}\": is not a folder's name", game);
 
     std::vector<std::string_view> folders = {"baseq2"};
@@ -124,7 +125,7 @@ void FileSystem::mount_folder(const fs::path& folder) {
 
 std::vector<std::uint8_t> FileSystem::read(std::string_view path) const {
     if (const auto fault = game_path_fault(path); !fault.empty())
-        fail("\"{}\": not read, the path {}", printable_path(path), fault);
+        fail("\"{}\": not read, the path {}", printable(path), fault);
     const std::string lower = ascii_lower(path);
     for (auto source = sources_.rbegin(); source != sources_.rend(); ++source)
         if (const auto index = (*source)->find(lower)) return (*source)->read(*index);
@@ -132,7 +133,9 @@ std::vector<std::uint8_t> FileSystem::read(std::string_view path) const {
 }
 
 std::string FileSystem::read_text(std::string_view path) const {
-    const auto bytes = read(path);
+    if (const auto place = find(path); place && place->bytes > max_text_bytes)
+        fail("{}: too long for a text file", path);
+    const auto bytes = read(path); // a loose file may have grown since it was listed
     if (bytes.size() > max_text_bytes) fail("{}: too long for a text file", path);
     if (std::find(bytes.begin(), bytes.end(), 0) != bytes.end())
         fail("{}: is not a text file", path);
@@ -145,7 +148,7 @@ std::optional<FileSystem::Location> FileSystem::find(std::string_view path) cons
     for (auto source = sources_.rbegin(); source != sources_.rend(); ++source)
         if (const auto index = (*source)->find(lower)) {
             const FileSource::File& file = (*source)->files()[*index];
-            return Location{file.path, (*source)->name(), file.bytes};
+            return Location{file.path, (*source)->name(), file.bytes, (*source)->is_archive()};
         }
     return std::nullopt;
 }

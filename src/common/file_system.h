@@ -26,6 +26,7 @@ public:
         std::string path;    ///< in the spelling of its folder or archive
         std::string source;  ///< the folder or archive, for messages
         std::uint64_t bytes; ///< unpacked, as declared by the source
+        bool in_archive;     ///< the source is an archive
     };
 
     /// One mounted folder or archive.

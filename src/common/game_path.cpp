@@ -4,8 +4,6 @@
 
 #include "common/ascii_case.h"
 
-#include <algorithm>
-
 namespace vigil {
 
 namespace {
@@ -16,12 +14,6 @@ bool is_control(char c) {
 }
 
 } // namespace
-
-std::string printable_path(std::string_view path) {
-    std::string printable(path);
-    std::replace_if(printable.begin(), printable.end(), is_control, '?');
-    return printable;
-}
 
 std::string_view game_path_fault(std::string_view path) {
     if (path.empty()) return "is empty";

@@ -3,7 +3,6 @@
 // It looks at the text only, never at the disk.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace vigil {
@@ -11,8 +10,5 @@ namespace vigil {
 /// Why `path` is not a safe relative path with forward slashes ("goes up with ..", "is absolute",
 /// ...), or an empty text when it is one.
 std::string_view game_path_fault(std::string_view path);
-
-/// `path` for messages: control characters, NUL among them, become '?'.
-std::string printable_path(std::string_view path);
 
 } // namespace vigil

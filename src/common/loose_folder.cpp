@@ -28,7 +28,8 @@ struct FolderId {
 
 class LooseFolder : public FileSource {
 public:
-    explicit LooseFolder(const fs::path& folder) : FileSource(folder.string()), folder_(folder) {
+    explicit LooseFolder(const fs::path& folder)
+        : FileSource(folder.string(), false), folder_(folder) {
         std::vector<FolderId> above;
         list(folder_, "", above);
         if (entries_ > max_entries)

@@ -5,6 +5,7 @@
 #include "common/cvar.h"
 #include "common/error.h"
 #include "common/game_path.h"
+#include "common/printable.h"
 
 #include <atomic>
 #include <cerrno>
@@ -87,7 +88,7 @@ private:
 
 fs::path output_path(std::string_view outdir, std::string_view name) {
     if (const auto fault = game_path_fault(name); !fault.empty())
-        fail("\"{}\": not written, the name {}", printable_path(name), fault);
+        fail("\"{}\": not written, the name {}", printable(name), fault);
     if (outdir.empty()) fail("{}: not written, outdir is empty", name);
     fs::path path = fs::path(outdir) / name;
     create_folders(path.parent_path());

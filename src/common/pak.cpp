@@ -19,7 +19,7 @@ constexpr std::size_t name_bytes = 56;
 
 class Pak : public FileSource {
 public:
-    explicit Pak(const std::filesystem::path& file) : FileSource(file.string()), file_(file) {
+    explicit Pak(const std::filesystem::path& file) : FileSource(file.string(), true), file_(file) {
         // The header names the place and size of the directory.
         if (file_.size() < header_bytes)
             fail("{}: truncated: {} bytes are no pak header", name(), file_.size());

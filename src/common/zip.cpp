@@ -60,7 +60,7 @@ private:
 
 class Zip : public FileSource {
 public:
-    explicit Zip(const std::filesystem::path& file) : FileSource(file.string()), file_(file) {
+    explicit Zip(const std::filesystem::path& file) : FileSource(file.string(), true), file_(file) {
         read_central_directory();
         report_skipped();
     }

@@ -219,6 +219,8 @@ void read_visibility(Bsp& bsp, std::span<const uint8_t> lump) {
     }
     if (count > reader.remaining() / 8)
         fail("{}: {} clusters do not fit into {} bytes", what, count, lump.size());
+    if (count > bsp_max_clusters)
+        fail("{}: {} clusters are too many (limit {})", what, count, bsp_max_clusters);
     bsp.cluster_count = count;
     bsp.visibility_offsets.resize(count);
     for (size_t cluster = 0; cluster < count; ++cluster)

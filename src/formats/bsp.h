@@ -168,6 +168,15 @@ struct Bsp {
 
 /// Trees deeper than this are refused, so that recursion over a checked tree is safe.
 inline constexpr uint32_t bsp_max_depth = 1024;
+/// More clusters than this are refused: decompressed visibility takes a bit for each pair of them,
+/// 128 MiB here. Real levels have some thousands.
+inline constexpr uint32_t bsp_max_clusters = 32768;
+/// Longer animations of textures are refused: every frame may begin one of its own.
+inline constexpr uint32_t bsp_max_animation = 64;
+/// Records of one lump may name overlapping ranges of another (corners of faces, faces of leafs,
+/// ...); ranges of one kind that are longer than this together are refused. Real levels stay below
+/// a hundredth of it.
+inline constexpr uint64_t bsp_max_range_total = uint64_t{1} << 23;
 /// Vertex coordinates beyond this are refused; sums and products of coordinates stay finite.
 inline constexpr float bsp_max_coordinate = 1048576.0f;
 

@@ -4,6 +4,7 @@
 #include "formats/bsp_check.h"
 
 #include "common/error.h"
+#include "formats/bsp_query.h"
 
 #include <glm/geometric.hpp>
 
@@ -37,10 +38,16 @@ struct Record {
         if (value >= count) bad("uses {} {} of {}", target, static_cast<int32_t>(value), count);
     }
 
-    void uses_range(const char* target, uint32_t first, uint32_t size, size_t count) const {
+    /// `total` sums up the ranges of one kind.
+    void uses_range(const char* target, uint32_t first, uint32_t size, size_t count,
+                    uint64_t& total) const {
         if (uint64_t{first} + size > count)
             bad("uses {} {} more from {} on, of {}", static_cast<int32_t>(size), target,
                 static_cast<int32_t>(first), count);
+        total += size;
+        if (total > bsp_max_range_total)
+            bad("brings the {} used so far to {}, most of them again (limit {})", target, total,
+                bsp_max_range_total);
     }
 
     void finite(const char* what, float value, float limit) const {
@@ -85,9 +92,14 @@ void check_texinfos(const Bsp& bsp) {
         if (info.next != -1)
             record.uses("texinfo", static_cast<uint32_t>(info.next), bsp.texinfos.size());
     }
+    for (size_t i = 0; i < bsp.texinfos.size(); ++i)
+        if (animation_chain(bsp, static_cast<uint32_t>(i)).size() > bsp_max_animation)
+            Record{bsp, "texinfo", "texinfo", i}.bad("begins an animation of more than {} frames",
+                                                     bsp_max_animation);
 }
 
 void check_faces(const Bsp& bsp) {
+    uint64_t corners = 0;
     for (size_t i = 0; i < bsp.faces.size(); ++i) {
         const Record record{bsp, "faces", "face", i};
         const BspFace& face = bsp.faces[i];
@@ -96,7 +108,8 @@ void check_faces(const Bsp& bsp) {
         if (!(std::abs(length - 1.0f) < 0.01f))
             record.bad("lies on plane {}, whose normal has length {}", face.plane, length);
         if (face.edge_count < 3) record.bad("has only {} edges", face.edge_count);
-        record.uses_range("surface edges", face.first_edge, face.edge_count, bsp.surf_edges.size());
+        record.uses_range("surface edges", face.first_edge, face.edge_count, bsp.surf_edges.size(),
+                          corners);
         record.uses("texinfo", face.texinfo, bsp.texinfos.size());
         if (face.light_offset != -1)
             record.uses("light map byte", static_cast<uint32_t>(face.light_offset),
@@ -105,6 +118,7 @@ void check_faces(const Bsp& bsp) {
 }
 
 void check_leafs(const Bsp& bsp) {
+    uint64_t faces = 0, brushes = 0;
     for (size_t i = 0; i < bsp.leafs.size(); ++i) {
         const Record record{bsp, "leafs", "leaf", i};
         const BspLeaf& leaf = bsp.leafs[i];
@@ -112,9 +126,9 @@ void check_leafs(const Bsp& bsp) {
             record.uses("cluster", static_cast<uint32_t>(leaf.cluster), bsp.cluster_count);
         record.uses("area", leaf.area, bsp.areas.size());
         record.uses_range("leaf faces", leaf.first_leaf_face, leaf.leaf_face_count,
-                          bsp.leaf_faces.size());
+                          bsp.leaf_faces.size(), faces);
         record.uses_range("leaf brushes", leaf.first_leaf_brush, leaf.leaf_brush_count,
-                          bsp.leaf_brushes.size());
+                          bsp.leaf_brushes.size(), brushes);
     }
     for (size_t i = 0; i < bsp.leaf_faces.size(); ++i)
         Record{bsp, "leaf faces", "entry", i}.uses("face", bsp.leaf_faces[i], bsp.faces.size());
@@ -124,9 +138,11 @@ void check_leafs(const Bsp& bsp) {
 }
 
 void check_brushes(const Bsp& bsp) {
+    uint64_t sides = 0;
     for (size_t i = 0; i < bsp.brushes.size(); ++i)
-        Record{bsp, "brushes", "brush", i}.uses_range(
-            "sides", bsp.brushes[i].first_side, bsp.brushes[i].side_count, bsp.brush_sides.size());
+        Record{bsp, "brushes", "brush", i}.uses_range("sides", bsp.brushes[i].first_side,
+                                                      bsp.brushes[i].side_count,
+                                                      bsp.brush_sides.size(), sides);
     for (size_t i = 0; i < bsp.brush_sides.size(); ++i) {
         const Record record{bsp, "brush sides", "side", i};
         const BspBrushSide& side = bsp.brush_sides[i];
@@ -137,10 +153,11 @@ void check_brushes(const Bsp& bsp) {
 }
 
 void check_areas(const Bsp& bsp) {
+    uint64_t portals = 0;
     for (size_t i = 0; i < bsp.areas.size(); ++i)
         Record{bsp, "areas", "area", i}.uses_range("area portals", bsp.areas[i].first_portal,
                                                    bsp.areas[i].portal_count,
-                                                   bsp.area_portals.size());
+                                                   bsp.area_portals.size(), portals);
     for (size_t i = 0; i < bsp.area_portals.size(); ++i) {
         const Record record{bsp, "area portals", "area portal", i};
         record.uses("portal", bsp.area_portals[i].portal, max_portals);
@@ -194,11 +211,12 @@ void check_trees(const Bsp& bsp) {
 }
 
 void check_nodes(const Bsp& bsp) {
+    uint64_t faces = 0;
     for (size_t i = 0; i < bsp.nodes.size(); ++i) {
         const Record record{bsp, "nodes", "node", i};
         const BspNode& node = bsp.nodes[i];
         record.uses("plane", node.plane, bsp.planes.size());
-        record.uses_range("faces", node.first_face, node.face_count, bsp.faces.size());
+        record.uses_range("faces", node.first_face, node.face_count, bsp.faces.size(), faces);
         for (const int32_t child : node.children)
             check_child(record, bsp, child);
     }
@@ -207,6 +225,7 @@ void check_nodes(const Bsp& bsp) {
 
 void check_models(const Bsp& bsp) {
     if (bsp.models.empty()) fail("{}: models lump: empty, not even the world is there", bsp.name);
+    uint64_t faces = 0;
     for (size_t i = 0; i < bsp.models.size(); ++i) {
         const Record record{bsp, "models", "model", i};
         const BspModel& model = bsp.models[i];
@@ -214,7 +233,7 @@ void check_models(const Bsp& bsp) {
         record.finite("bound", model.maxs, any_finite);
         record.finite("origin", model.origin, bsp_max_coordinate);
         check_child(record, bsp, model.headnode);
-        record.uses_range("faces", model.first_face, model.face_count, bsp.faces.size());
+        record.uses_range("faces", model.first_face, model.face_count, bsp.faces.size(), faces);
     }
 }
 

@@ -77,12 +77,10 @@ void leafs_in_box(const Bsp& bsp, const glm::vec3& mins, const glm::vec3& maxs,
 
 std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo) {
     std::vector<uint32_t> chain{texinfo};
-    // A chain may lead into a loop that leaves out its start; stop at the first repetition.
-    std::vector<bool> seen(bsp.texinfos.size(), false);
-    seen[texinfo] = true;
-    for (int32_t next = bsp.texinfos[texinfo].next; next >= 0 && !seen[static_cast<size_t>(next)];
-         next = bsp.texinfos[static_cast<size_t>(next)].next) {
-        seen[static_cast<size_t>(next)] = true;
+    while (chain.size() <= bsp_max_animation) {
+        const int32_t next = bsp.texinfos[chain.back()].next;
+        // A chain may lead into a loop that leaves out its start; stop at the first repetition.
+        if (next < 0 || std::ranges::find(chain, static_cast<uint32_t>(next)) != chain.end()) break;
         chain.push_back(static_cast<uint32_t>(next));
     }
     return chain;

@@ -34,7 +34,8 @@ void leafs_in_box(const Bsp& bsp, const glm::vec3& mins, const glm::vec3& maxs,
                   std::vector<uint32_t>& leafs);
 
 /// Texinfos of the animation that starts at `texinfo`: itself first, then along `next` until the
-/// chain ends or closes. A length of 1 means no animation. Quake II shows two frames per second.
+/// chain ends or closes (parse_bsp refuses longer ones than bsp_max_animation). A length of 1 means
+/// no animation. Quake II shows two frames per second.
 std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo);
 
 } // namespace vigil

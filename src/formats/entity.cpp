@@ -5,6 +5,7 @@
 
 #include "common/ascii_case.h"
 #include "common/error.h"
+#include "common/printable.h"
 
 #include <algorithm>
 #include <array>
@@ -164,7 +165,7 @@ std::vector<Entity> parse_entities(std::string_view name, std::string_view text)
     Tokenizer tokens(name, text);
     while (const auto open = tokens.next()) {
         if (!open->is('{'))
-            tokens.fail_here("found '{:.40}' where '{{' begins an entity", open->text);
+            tokens.fail_here("found '{}' where '{{' begins an entity", printable(open->text, 40));
         Entity entity;
         while (true) {
             const auto key = tokens.next();
@@ -173,7 +174,7 @@ std::vector<Entity> parse_entities(std::string_view name, std::string_view text)
             if (key->is('{')) tokens.fail_here("entity {} holds another '{{'", entities.size());
             const auto value = tokens.next();
             if (!value || value->is('}') || value->is('{'))
-                tokens.fail_here("key '{:.40}' has no value", key->text);
+                tokens.fail_here("key '{}' has no value", printable(key->text, 40));
             entity.set(key->text, value->text);
             if (entity.pairs.size() > max_pairs)
                 tokens.fail_here("entity {} has more than {} keys", entities.size(), max_pairs);

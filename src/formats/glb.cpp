@@ -19,6 +19,10 @@ constexpr uint32_t glb_magic = 0x46546c67;  // "glTF"
 constexpr uint32_t chunk_json = 0x4e4f534a; // "JSON"
 constexpr uint32_t chunk_bin = 0x004e4942;  // "BIN\0"
 constexpr double max_number = 1e9;
+/// Parsed JSON takes up to some fifty times its text in memory.
+constexpr size_t max_json_bytes = size_t{32} << 20;
+/// Each level takes memory and time of its own; glTF needs about ten.
+constexpr int max_json_depth = 64;
 
 enum ComponentType : uint64_t {
     type_i8 = 5120,
@@ -104,7 +108,13 @@ Glb::Glb(std::string_view name, std::span<const uint8_t> bytes) : name_(name) {
         if (type == chunk_json && text.empty()) text = content;
         if (type == chunk_bin && binary_.empty()) binary_ = content;
     }
-    root_ = json::parse(text.begin(), text.end(), nullptr, false);
+    if (text.size() > max_json_bytes)
+        bad("a JSON chunk of {} bytes is too long (limit {})", text.size(), max_json_bytes);
+    const auto check_depth = [this](int depth, json::parse_event_t, json&) {
+        if (depth > max_json_depth) bad("its JSON is nested more than {} deep", max_json_depth);
+        return true;
+    };
+    root_ = json::parse(text.begin(), text.end(), check_depth, false);
     if (!root_.is_object()) bad("the JSON chunk is missing or not valid JSON");
 }
 

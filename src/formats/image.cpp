@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Picks the decoder for a picture's bytes, and the small things every texture needs: the checker,
-// the mean colour, the fallback palette. stb_image decodes PNG, JPG and TGA (image_stb.cpp).
+// the mean colour, the fallback palette. stb_image decodes PNG and TGA (image_stb.cpp), libjpeg JPG
+// (jpg.cpp).
 #include "formats/image.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "formats/image_stb.h"
+#include "formats/jpg.h"
 #include "formats/pcx.h"
 #include "formats/wal.h"
 

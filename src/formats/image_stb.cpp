@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Around stb_image; see image_stb.h. stb_image reads zeros past the end of its input, so truncated
-// TGA and JPG files would pass as pictures with black areas: both are measured here first.
+// TGA files would pass as pictures with black areas: they are measured here first.
 #include "formats/image_stb.h"
 
 #include "common/error.h"
+#include "common/printable.h"
 #include "formats/byte_reader.h"
+#include "formats/png_check.h"
 
 #include <stb/stb_image.h>
 
@@ -21,11 +23,11 @@ Image decode_stb(std::string_view name, std::span<const uint8_t> bytes) {
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
-        fail("{}: cannot decode the picture: {}", name, stbi_failure_reason());
+        fail("{}: cannot decode the picture: {}", name, printable(stbi_failure_reason()));
     check_image_size(name, static_cast<uint64_t>(width), static_cast<uint64_t>(height));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) fail("{}: cannot decode the picture: {}", name, stbi_failure_reason());
+    if (!pixels) fail("{}: cannot decode the picture: {}", name, printable(stbi_failure_reason()));
     Image image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
     const size_t count = size_t{4} * image.width * image.height;
     image.rgba.assign(pixels.get(), pixels.get() + count);
@@ -103,14 +105,7 @@ void check_image_size(std::string_view name, uint64_t width, uint64_t height) {
 }
 
 Image decode_png(std::string_view name, std::span<const uint8_t> bytes) {
-    return decode_stb(name, bytes);
-}
-
-Image decode_jpg(std::string_view name, std::span<const uint8_t> bytes) {
-    constexpr std::array<uint8_t, 2> end_of_image = {0xff, 0xd9};
-    if (std::search(bytes.begin(), bytes.end(), end_of_image.begin(), end_of_image.end()) ==
-        bytes.end())
-        fail("{}: the JPG is truncated (no end marker)", name);
+    check_png(name, bytes);
     return decode_stb(name, bytes);
 }
 

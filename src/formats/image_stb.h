@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// PNG, JPG and TGA through stb_image, with the checks it lacks: sizes before allocation, truncated
-// TGA and JPG, TGA rows stored right to left. Not for use outside src/formats (see image.h).
+// PNG and TGA through stb_image, with the checks it lacks: sizes before allocation, truncated TGA,
+// TGA rows stored right to left. Not for use outside src/formats (see image.h).
 #pragma once
 
 #include "formats/image.h"
@@ -12,7 +12,6 @@ void check_image_size(std::string_view name, uint64_t width, uint64_t height);
 
 /// Each throws Error naming the file and the fault. 16-bit channels are reduced to 8 bits.
 Image decode_png(std::string_view name, std::span<const uint8_t> bytes);
-Image decode_jpg(std::string_view name, std::span<const uint8_t> bytes);
 Image decode_tga(std::string_view name, std::span<const uint8_t> bytes);
 
 } // namespace vigil

@@ -24,6 +24,9 @@ constexpr size_t skin_bytes = 64, uv_bytes = 4, triangle_bytes = 12, frame_heade
 /// Vertices in all frames together; a few bytes must not ask for gigabytes. id's largest model has
 /// some 200,000.
 constexpr uint64_t max_frame_vertices = uint64_t{1} << 24;
+/// Triangles in all frames together: frames are cheap in bytes, but each one's normals are summed
+/// over all triangles.
+constexpr uint64_t max_frame_triangles = uint64_t{1} << 26;
 constexpr float max_scale = 1048576.0f; ///< map units, also for translations
 
 struct Header {
@@ -128,6 +131,8 @@ Md2 parse_md2(std::string_view name, std::span<const uint8_t> bytes) {
     const Header header = read_header(name, bytes);
     const auto triangles = read_triangles(name, bytes, header);
     const auto file_uvs = read_uvs(name, bytes, header);
+    if (uint64_t{header.frames} * header.triangles > max_frame_triangles)
+        fail("{}: {} frames of {} triangles are too many", name, header.frames, header.triangles);
 
     Md2 model;
     model.skin_width = header.skin_width;

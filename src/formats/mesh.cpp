@@ -3,6 +3,7 @@
 // axes into Vigil's. The byte level is in glb.h.
 #include "formats/mesh.h"
 
+#include "common/printable.h"
 #include "formats/glb.h"
 
 #include <glm/common.hpp>
@@ -71,7 +72,8 @@ private:
             const std::string text = extension.is_string() ? extension.get<std::string>() : "?";
             if (std::find(known_extensions.begin(), known_extensions.end(), text) ==
                 known_extensions.end())
-                glb_.bad("needs the glTF extension {:.60}, which is not supported", text);
+                glb_.bad("needs the glTF extension {}, which is not supported",
+                         printable(text, 80));
         }
     }
 

@@ -5,6 +5,7 @@
 #include "common/scratch_folder.h"
 
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -81,6 +82,14 @@ TEST(Reference, RefusesFilesOfSomethingElse) {
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
     EXPECT_FALSE(reference.load(path, "key"));
     std::filesystem::resize_file(path, 20);
+    EXPECT_FALSE(reference.load(path, "key"));
+    EXPECT_EQ(reference.batches(), 0);
+
+    // A wrong number would be measured against as if it were right.
+    reference_of(0, 3).save(path, "key");
+    std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(-20, std::ios::end).put('x');
+    file.close();
     EXPECT_FALSE(reference.load(path, "key"));
     EXPECT_EQ(reference.batches(), 0);
 }

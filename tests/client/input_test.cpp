@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Keys, bindings and where events go.
 #include "client/client.h"
+#include "common/builtin_commands.h"
 
 #include <gtest/gtest.h>
 
@@ -37,11 +38,11 @@ TEST(Window, HeadlessOpensNone) {
 TEST(KeyBindings, HeldCommandsNameTheirKey) {
     KeyBindings bindings;
     bindings.bind(Key::X, "+forward");
-    EXPECT_EQ(bindings.press(Key::X), "+forward x");
+    EXPECT_EQ(bindings.press(Key::X).text, "+forward x");
     bindings.bind(Key::X, "viewpos"); // bound anew while held
-    EXPECT_EQ(bindings.release(Key::X), "-forward x");
-    EXPECT_EQ(bindings.press(Key::X), "viewpos");
-    EXPECT_EQ(bindings.release(Key::X), "");
+    EXPECT_EQ(bindings.release(Key::X).text, "-forward x");
+    EXPECT_EQ(bindings.press(Key::X).text, "viewpos");
+    EXPECT_EQ(bindings.release(Key::X).text, "");
 }
 
 TEST(KeyBindings, ArchiveHoldsOnlyWhatChanged) {
@@ -60,6 +61,34 @@ TEST(KeyBindings, ArchiveHoldsOnlyWhatChanged) {
     EXPECT_EQ(other.command(Key::F5), "map mine; wait 2");
     EXPECT_EQ(other.command(Key::W), "");
     EXPECT_EQ(other.archive_text(), text);
+}
+
+TEST(KeyBindings, WhatAnArchiveBindsRunsAsItsOwnAndIsNotKept) {
+    CvarRegistry variables;
+    CommandRegistry commands(variables);
+    add_builtin_commands(commands, [](std::string_view) { return ScriptText(); });
+    KeyBindings bindings;
+    add_binding_commands(commands, bindings);
+    commands.execute_text("bind F5 viewpos; unbind q");
+    const std::string kept = bindings.archive_text();
+    commands.execute_text("bind F5 \"set vid_width 320\"; bind x \"+set vid_height 99; +set\"; "
+                          "unbind w; bind q \"set fov 100\"",
+                          "default.cfg", Trust::Archive);
+    EXPECT_EQ(commands.failures(), 0);
+    EXPECT_EQ(bindings.archive_text(), kept);
+    EXPECT_EQ(bindings.command(Key::W), "");
+    const auto run = [&](const ScriptText& script) {
+        commands.execute_text(script.text, {}, script.trust);
+    };
+    run(bindings.press(Key::F5));
+    run(bindings.press(Key::Q));
+    bindings.press(Key::X);
+    EXPECT_EQ(bindings.release_all().trust, Trust::Archive);
+    EXPECT_EQ(variables->vid_width, 640);
+    EXPECT_EQ(variables->fov, 100.0f);
+    bindings.bind(Key::F5, "set vid_width 320"); // by a person
+    run(bindings.press(Key::F5));
+    EXPECT_EQ(variables->vid_width, 320);
 }
 
 TEST(KeyBindings, CommandsReportKeysThatDoNotExist) {

@@ -4,7 +4,9 @@
 #include "client/program.h"
 
 #include "client/client.h"
+#include "common/archive_builder.h"
 #include "common/cvar.h"
+#include "common/full_disk.h"
 #include "common/log.h"
 #include "fake_renderer.h"
 #include "shared/views.h"
@@ -117,6 +119,55 @@ TEST_F(ProgramTest, TheGamesAutoexecRunsBeforeTheCommandLine) {
     game_.write("data/baseq2/autoexec.cfg", "set pt_spp 7\nset pt_bounces 0\nno_such_thing\n");
     EXPECT_EQ(run("+set pt_bounces 1 +echo $pt_spp $pt_bounces"), 0); // its faults are not ours
     EXPECT_NE(output_.find("7 1"), std::string::npos);
+}
+
+TEST_F(ProgramTest, AnAutoexecInsideAnArchiveCannotSayWhereFilesGo) {
+    const std::string script = "set outdir " + game_.path("stolen").string() +
+                               "\nset vid_width 32\nset pt_spp 7\n"
+                               "alias shot \"outdir /; screenshot b\"\n";
+    const auto pak = test::build_pak({{"autoexec.cfg", script}});
+    game_.write("data/baseq2/pak0.pak", {reinterpret_cast<const char*>(pak.data()), pak.size()});
+    EXPECT_EQ(run("+map tiny +wait 1 +screenshot a +echo spp $pt_spp width $vid_width"), 0);
+    EXPECT_NE(output_.find("spp 7 width 640"), std::string::npos);
+    EXPECT_NE(errors_.find("outdir: not set"), std::string::npos);
+    EXPECT_NE(errors_.find("vid_width: not set"), std::string::npos);
+    EXPECT_TRUE(game_.exists("out/a.png"));
+    EXPECT_FALSE(game_.exists("stolen"));
+    EXPECT_EQ(run("+map tiny +wait 1 +shot"), 1);
+    EXPECT_TRUE(game_.exists("out/b.png"));
+}
+
+TEST_F(ProgramTest, AnAutoexecThatIsNoTextIsSaidSoAndPassedOver) {
+    game_.write("data/baseq2/autoexec.cfg", std::string_view("set pt_spp 7\0", 13));
+    EXPECT_EQ(run("+map tiny +wait 1 +screenshot a"), 0);
+    EXPECT_NE(errors_.find("autoexec.cfg: is not a text file"), std::string::npos);
+    EXPECT_TRUE(game_.exists("out/a.png"));
+}
+
+TEST_F(ProgramTest, AFullDiskFailsByNameAndKeepsTheLastResult) {
+    struct Job {
+        std::string command, file;
+    };
+    const Job jobs[] = {{"+map tiny +wait 1 +screenshot a", "a.png"},
+                        {"+map tiny +wait 1 +screenshot_hdr a", "a.exr"},
+                        {"+map tiny +fly line 10 flight 1", "flight_000.png"},
+                        {"+set timedemo_json a.json +map tiny +fly line 10", "a.json"}};
+    for (const Job& job : jobs) {
+        ASSERT_EQ(run(job.command), 0) << errors_;
+        const std::string before = game_.read("out/" + job.file);
+        ASSERT_FALSE(before.empty()) << job.file;
+        {
+            const test::FullDisk disk(16);
+            EXPECT_EQ(run(job.command), 1) << job.command;
+        }
+        EXPECT_NE(errors_.find(job.file + ": cannot write: File too large"), std::string::npos)
+            << errors_;
+        EXPECT_EQ(game_.read("out/" + job.file), before);
+        errors_.clear();
+        cvars().reset("timedemo_json");
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(game_.path("out")))
+        EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
 }
 
 TEST_F(ProgramTest, PresetsOfLightListsGoThereAndBack) {

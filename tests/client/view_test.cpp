@@ -120,6 +120,8 @@ TEST(Route, CountsBothEnds) {
     EXPECT_EQ(route.frame_count(20.0), 41);
     EXPECT_EQ(route.frame_count(0.4), 1);
     EXPECT_EQ(Route::parse("r", "0 1 2 3 4 5 6").frame_count(20.0), 1);
+    const Route longest = Route::parse("r", "-1e6 0 0 0 0 0 0\n1e6 0 0 0 0 0 0");
+    EXPECT_EQ(longest.frame_count(10000.0), 2147483647);
 }
 
 TEST(Route, NamesTheLineThatIsWrong) {
@@ -136,6 +138,10 @@ TEST(Route, NamesTheLineThatIsWrong) {
     EXPECT_NE(message("0 0 0 nan 0 0 0").find("line 1"), std::string::npos);
     EXPECT_NE(message("1 0 0 0 0 0 0\n1 0 0 0 0 0 0").find("increase"), std::string::npos);
     EXPECT_NE(message("# nothing").find("no views"), std::string::npos);
+    EXPECT_NE(message("0 0 0 2e6 0 0 0").find("numbers up to 1e+06"), std::string::npos);
+    EXPECT_NE(message("1e30 0 0 0 0 0 0").find("line 1"), std::string::npos);
+    EXPECT_NE(message("0 0 0 0 0 0 0\n1e-30 1e6 0 0 0 0 0").find("line 2: times must increase"),
+              std::string::npos);
 }
 
 TEST(PassStatistics, SummarisesByRank) {

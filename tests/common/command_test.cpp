@@ -20,7 +20,8 @@ protected:
         add_builtin_commands(commands, [this](std::string_view name) {
             const auto file = files.find(std::string(name));
             if (file == files.end()) fail("{}: no such file in the game folders", name);
-            return file->second;
+            const bool packed = name.starts_with("packed");
+            return ScriptText{file->second, packed ? Trust::Archive : Trust::Person};
         });
         commands.add("do", "WORDS: remembers its words", [this](CommandArguments arguments) {
             done.push_back(fmt::format("{}", fmt::join(arguments, " ")));
@@ -256,6 +257,73 @@ TEST_F(CommandTest, ArchivedTextRunsAsAScript) {
     EXPECT_EQ(variables->fov, 101.5f);
     EXPECT_EQ(variables->vid_width, 320);
     EXPECT_EQ(commands.failures(), 0) << log.all();
+}
+
+TEST_F(CommandTest, ScriptsOfArchivesCannotSetGuardedVariables) {
+    files["packed.cfg"] = "set outdir /etc\nvid_width 1\nseta vid_fullscreen 1\ntoggle vid_vsync\n"
+                          "reset outdir\nset game other\nset basedir /\nset timedemo_json x\n"
+                          "set vk_device 1\nset vid_driver sdl\nset pt_spp 4\nset fov 100\n";
+    variables.set("outdir", "mine");
+    commands.execute_text("exec packed.cfg");
+    EXPECT_EQ(commands.failures(), 10);
+    EXPECT_TRUE(log.contains("outdir: not set"));
+    EXPECT_TRUE(log.contains("(packed.cfg, line 1)"));
+    for (const CvarInfo& info : cvar_infos) {
+        if (!info.guarded || info.name == "outdir") continue;
+        EXPECT_EQ(variables.get_text(info.name), cvar_default_text(info)) << info.name;
+    }
+    EXPECT_EQ(variables->outdir, "mine");
+    // The others are set, but the configuration file keeps what it had.
+    EXPECT_EQ(variables->pt_spp, 4);
+    EXPECT_EQ(variables->fov, 100.0f);
+    EXPECT_EQ(variables.archive_text(), "");
+}
+
+TEST_F(CommandTest, WhatAnArchiveMadeStaysItsOwn) {
+    files["packed.cfg"] = "alias later \"wait 2; vid_width 320; do later\"\nexec own.cfg\n"
+                          "alias mine \"vid_width 321\"\n";
+    files["own.cfg"] = "vid_height 99\n";
+    commands.execute_text("alias mine \"vid_width 111\"; exec packed.cfg");
+    EXPECT_EQ(commands.failures(), 1) << "a person's file, but the archive's doing";
+    commands.execute_text("later"); // a person runs the archive's alias
+    commands.run_frame();
+    commands.run_frame();
+    EXPECT_EQ(commands.failures(), 2);
+    EXPECT_EQ(done, (Words{"later"}));
+    commands.execute_text("mine"); // replaced by the archive
+    EXPECT_EQ(commands.failures(), 3);
+    EXPECT_EQ(variables->vid_width, 640);
+    EXPECT_EQ(variables->vid_height, 360);
+    commands.execute_text("exec own.cfg; vid_width 320"); // a person again
+    EXPECT_EQ(variables->vid_height, 99);
+    EXPECT_EQ(variables->vid_width, 320);
+}
+
+TEST_F(CommandTest, TextsThatDoubleThemselvesStop) {
+    std::string script = "set outdir xxxxxxxxxxxxxxxx\n";
+    for (int i = 0; i < 60; ++i)
+        script += "set outdir $outdir$outdir\n";
+    script += "do";
+    for (int i = 0; i < 1000; ++i)
+        script += " $outdir";
+    commands.execute_text(script);
+    EXPECT_EQ(variables->outdir.size(), cvar_max_bytes);
+    EXPECT_TRUE(log.contains("outdir: the text has 8192 bytes (limit 4096)"));
+    EXPECT_TRUE(log.contains("do: the command is longer than 65536 bytes"));
+    EXPECT_TRUE(done.empty());
+}
+
+TEST_F(CommandTest, ScriptsThatPileUpStop) {
+    std::string lines = "exec big.cfg\n";
+    for (int i = 0; i < 60'000; ++i)
+        lines += "x\n";
+    files["big.cfg"] = lines;
+    commands.execute_text("exec big.cfg");
+    EXPECT_TRUE(log.contains("exec: more than 100000 commands wait to run"));
+    for (int i = 0; i < 2000; ++i)
+        commands.execute_text(fmt::format("alias a{} b", i));
+    EXPECT_EQ(commands.aliases().size(), 1024u);
+    EXPECT_TRUE(log.contains("there are 1024 aliases already"));
 }
 
 } // namespace

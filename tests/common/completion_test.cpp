@@ -15,7 +15,7 @@ using Words = std::vector<std::string>;
 class CompletionTest : public testing::Test {
 protected:
     CompletionTest() {
-        add_builtin_commands(commands, [](std::string_view) { return std::string(); });
+        add_builtin_commands(commands, [](std::string_view) { return ScriptText(); });
         commands.add(
             "map", "NAME: loads a level", [](CommandArguments) {},
             [](CommandArguments finished) {

@@ -3,10 +3,8 @@
 #include "common/output.h"
 
 #include "common/error.h"
+#include "full_disk.h"
 #include "scratch_folder.h"
-
-#include <csignal>
-#include <sys/resource.h>
 
 namespace vigil {
 namespace {
@@ -51,14 +49,11 @@ TEST(Output, AFailedWriteKeepsTheOldFileAndSaysWhy) {
     const ScratchFolder scratch;
     const fs::path file = scratch.write("shot.png", "old");
 
-    // A limit on file sizes makes write() fail half-way, as a full disk does.
-    std::signal(SIGXFSZ, SIG_IGN);
-    rlimit limit = {};
-    getrlimit(RLIMIT_FSIZE, &limit);
-    const rlimit small = {4096, limit.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
-    const std::string error = error_of([&] { write_file(file, std::string(100'000, 'x')); });
-    setrlimit(RLIMIT_FSIZE, &limit);
+    std::string error;
+    {
+        const test::FullDisk disk(4096);
+        error = error_of([&] { write_file(file, std::string(100'000, 'x')); });
+    }
 
     EXPECT_NE(error.find("shot.png: cannot write: File too large"), std::string::npos) << error;
     EXPECT_EQ(read_whole(file), "old");

@@ -267,5 +267,39 @@ TEST(Bsp, TreesMayBeDeepButNotDeeperThanTheLimit) {
     expect_fault("maps/x.bsp", "deeper than 1024 levels", [&] { parse(lumps); });
 }
 
+TEST(Bsp, ClustersAreLimited) {
+    LevelLumps lumps = small_level();
+    lumps[level_visibility].assign(4 + 8 * 40'000, 0);
+    patch<uint32_t>(lumps[level_visibility], 0, 32'769);
+    expect_fault("x.bsp", "visibility lump: 32769 clusters are too many (limit 32768)",
+                 [&] { parse_bsp("x.bsp", write_level(lumps)); });
+}
+
+TEST(Bsp, AnimationsAreLimited) {
+    LevelLumps lumps = small_level();
+    Bytes& texinfos = lumps[level_texinfo];
+    const Bytes one(texinfos.begin(), texinfos.begin() + 76);
+    while (texinfos.size() < 76u * 80) {
+        append_bytes(texinfos, one);
+        patch(texinfos, texinfos.size() - 4, static_cast<int32_t>(texinfos.size() / 76) % 80);
+    }
+    expect_fault("x.bsp", "begins an animation of more than 64 frames",
+                 [&] { parse_bsp("x.bsp", write_level(lumps)); });
+}
+
+TEST(Bsp, RangesThatOverlapAreLimitedTogether) {
+    // 20 bytes for each face, 65535 corners each: the same ones.
+    LevelLumps lumps = small_level();
+    for (int i = 0; i < 65'535; ++i)
+        append<int32_t>(lumps[level_surf_edges], 0);
+    Bytes face(lumps[level_faces].begin(), lumps[level_faces].begin() + 20);
+    patch<uint32_t>(face, 4, 0);
+    patch<uint16_t>(face, 8, 65'535);
+    for (int i = 0; i < 200; ++i)
+        append_bytes(lumps[level_faces], face);
+    expect_fault("x.bsp", "surface edges used so far to",
+                 [&] { parse_bsp("x.bsp", write_level(lumps)); });
+}
+
 } // namespace
 } // namespace vigil

@@ -2,15 +2,14 @@
 // Random damage, the same in every run: each parser either throws Error or returns a structure that
 // can be walked in full without any further check. Sanitizers turn every slip into a failure.
 #include "common/error.h"
-#include "formats/bsp_query.h"
 #include "formats/image.h"
 #include "formats/md2.h"
 #include "formats/mesh.h"
+#include "level_walk.h"
 #include "picture_bytes.h"
 #include "real_levels.h"
 #include "small_level.h"
 #include "small_models.h"
-#include "world/pvs.h"
 
 #include <gtest/gtest.h>
 
@@ -54,41 +53,14 @@ size_t survive(const Bytes& original, size_t rounds, uint32_t seed,
     return accepted;
 }
 
-/// Touches everything a level offers.
-void walk_level(const Bytes& bytes) {
-    const Bsp bsp = parse_bsp("x.bsp", bytes);
-    const Pvs pvs(bsp);
-    float sum = 0.0f;
-    for (const BspFace& face : bsp.faces) {
-        for (const glm::vec3& corner : face_polygon(bsp, face))
-            sum += texel_coordinates(bsp.texinfos[face.texinfo], corner).x;
-        sum += face_normal(bsp, face).x;
-        sum += static_cast<float>(animation_chain(bsp, face.texinfo).size());
-    }
-    for (const BspLeaf& leaf : bsp.leafs) {
-        for (uint32_t i = 0; i < leaf.leaf_face_count; ++i)
-            sum += static_cast<float>(bsp.faces[bsp.leaf_faces[leaf.first_leaf_face + i]].plane);
-        for (uint32_t i = 0; i < leaf.leaf_brush_count; ++i) {
-            const BspBrush& brush = bsp.brushes[bsp.leaf_brushes[leaf.first_leaf_brush + i]];
-            for (uint32_t side = 0; side < brush.side_count; ++side)
-                sum += bsp.planes[bsp.brush_sides[brush.first_side + side].plane].dist;
-        }
-        if (leaf.cluster >= 0) sum += static_cast<float>(pvs.row(leaf.cluster)[0] & 1);
-    }
-    for (const BspModel& model : bsp.models)
-        sum += static_cast<float>(leaf_at(bsp, model.mins, model.headnode));
-    std::vector<uint32_t> leafs;
-    leafs_in_box(bsp, glm::vec3(-1e6f), glm::vec3(1e6f), leafs);
-    EXPECT_FALSE(leafs.empty());
-    for (const Entity& entity : bsp.entities)
-        sum += entity.get_vec3("origin").x + static_cast<float>(entity.get_int("spawnflags"));
-    volatile float keep = sum;
+void parse_and_walk(const Bytes& bytes) {
+    const volatile float keep = walk_level(parse_bsp("x.bsp", bytes));
     (void)keep;
 }
 
 TEST(Damage, SmallLevels) {
     const Bytes file = write_level(small_level());
-    const size_t accepted = survive(file, 6000, 11, walk_level);
+    const size_t accepted = survive(file, 6000, 11, parse_and_walk);
     // Colours, names and coordinates may change without making a level unusable.
     EXPECT_GT(accepted, 500u);
     EXPECT_LT(accepted, 5500u);
@@ -102,7 +74,7 @@ TEST(Damage, SmallLevelsFieldByField) {
             Bytes bytes = file;
             bytes[at] = value;
             try {
-                walk_level(bytes);
+                parse_and_walk(bytes);
             } catch (const Error&) {
             }
         }
@@ -123,7 +95,7 @@ TEST(Damage, RealLevels) {
             else
                 damage(bytes, 0, bytes.size(), random);
             try {
-                walk_level(bytes);
+                parse_and_walk(bytes);
             } catch (const Error&) {
             }
         }

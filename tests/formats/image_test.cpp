@@ -8,7 +8,9 @@
 #include "formats/wal.h"
 #include "picture_bytes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <zlib.h>
 
 namespace vigil {
 namespace {
@@ -150,6 +152,70 @@ TEST(Image, HugeSizesAreRefusedBeforeAllocation) {
     Bytes png = write_png(test_picture(4, 4));
     png[16] = 0x7f; // the width's highest byte
     expect_fault("a.png", "", [&] { decode_image("a.png", png); });
+}
+
+/// A PNG of one colour channel, whose rows are `rows` zero bytes, packed.
+Bytes png_of(uint32_t width, uint32_t height, size_t rows, uint8_t interlaced = 0) {
+    Bytes packed(compressBound(rows));
+    uLongf size = packed.size();
+    compress2(packed.data(), &size, Bytes(rows).data(), rows, 9);
+    packed.resize(size);
+    Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    const auto big_endian = [](Bytes& out, uint64_t value) {
+        for (int shift = 24; shift >= 0; shift -= 8)
+            out.push_back(static_cast<uint8_t>(value >> shift));
+    };
+    const auto chunk = [&](std::string_view kind, const Bytes& content) {
+        big_endian(file, content.size());
+        append_text(file, kind, kind.size());
+        append_bytes(file, content);
+        file.resize(file.size() + 4); // nobody looks at the checksum
+    };
+    Bytes header;
+    big_endian(header, width);
+    big_endian(header, height);
+    append_bytes(header, {8, 0, 0, 0, interlaced});
+    chunk("IHDR", header);
+    chunk("IDAT", packed);
+    chunk("IEND", {});
+    return file;
+}
+
+TEST(Image, PngsThatUnpackToMoreThanTheirPictureAreRefused) {
+    const auto refuse = [](std::string_view part, const Bytes& file) {
+        expect_fault("a.png", part, [&] { decode_image("a.png", file); });
+    };
+    EXPECT_EQ(decode_image("a.png", png_of(3, 2, 8)).width, 3u);
+    EXPECT_EQ(decode_image("a.png", png_of(9, 9, 9 * 9 + 19, 1)).width, 9u); // Adam7
+    refuse("ends after 99 of 100 bytes", png_of(9, 9, 9 * 9 + 18, 1));
+    const Bytes bomb = png_of(1, 1, size_t{64} << 20);
+    EXPECT_LT(bomb.size(), size_t{100'000});
+    refuse("unpacks to more than", bomb);
+    refuse("ends after 7 of 8 bytes", png_of(3, 2, 7));
+    refuse("ends after 8 of 67112960 bytes", png_of(16384, 4096, 8));
+    Bytes damaged = png_of(30, 30, 930);
+    damaged[8 + 25 + 8 + 6] ^= 0xff;
+    refuse("damaged", damaged);
+    Bytes foreign = png_of(3, 2, 8);
+    foreign[12] = 'C'; // Apple's PNGs begin with a chunk of their own
+    refuse("does not begin with a header", foreign);
+}
+
+TEST(Image, JpgsThatAskForMoreThanTheyHoldAreRefused) {
+    const Bytes right = write_jpg(test_picture(16, 16), 90);
+    const std::array<uint8_t, 2> frame = {0xff, 0xc0};
+    const auto at = static_cast<size_t>(
+        std::search(right.begin(), right.end(), frame.begin(), frame.end()) - right.begin());
+    Bytes large = right;
+    for (const size_t byte : {at + 5, at + 7}) // height and width, big-endian
+        large[byte] = 0x10;
+    expect_fault("a.jpg", "bytes cannot hold 4112 x 4112 pixels",
+                 [&] { decode_image("a.jpg", large); });
+
+    Bytes many = right;
+    for (int i = 0; i < 101; ++i)
+        append_bytes(many, {0xff, 0xda, 0, 2});
+    expect_fault("a.jpg", "a JPG with 102 scans", [&] { decode_image("a.jpg", many); });
 }
 
 TEST(Image, UnknownFilesAreRefusedByName) {

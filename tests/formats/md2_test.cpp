@@ -74,6 +74,19 @@ TEST(Md2, DamageIsNamed) {
     refuse(md2_frames_at + 16, std::numeric_limits<float>::infinity(), "translation inf");
 }
 
+TEST(Md2, FramesAndTrianglesAreBoundedTogether) {
+    // All frames and all triangles may be the same bytes: only the limit stops their product.
+    constexpr uint32_t triangles = 70'000, frames = 1'000, frame_size = 44;
+    Bytes file;
+    append_text(file, "IDP2", 4);
+    for (const uint32_t value : {8u, 64u, 32u, frame_size, 0u, 1u, 1u, triangles, 0u, frames, 68u,
+                                 68u, 68u, 68u, 68u, 68u})
+        append(file, value);
+    file.resize(68 + triangles * 12);
+    expect_fault("x.md2", "1000 frames of 70000 triangles are too many",
+                 [&] { parse_md2("x.md2", file); });
+}
+
 TEST(Md2, CutFilesAreRefused) {
     const Bytes file = small_md2();
     for (size_t size = 0; size < file.size(); ++size)

@@ -31,6 +31,15 @@ glm::vec3 geometric_normal(const MeshPrimitive& p) {
     return glm::normalize(glm::cross(p.positions[p.indices[1]] - a, p.positions[p.indices[2]] - a));
 }
 
+TEST(Mesh, DeepJsonIsRefused) {
+    const auto nested = [](size_t depth) {
+        return write_glb(R"({"extras":)" + std::string(depth, '[') + std::string(depth, ']') + "}",
+                         {});
+    };
+    expect_fault("x.glb", "holds no triangles", [&] { parse_glb("x.glb", nested(60)); });
+    expect_fault("x.glb", "nested more than 64 deep", [&] { parse_glb("x.glb", nested(100'000)); });
+}
+
 TEST(Mesh, YUpBecomesZUp) {
     const Mesh mesh = parse(triangle_glb());
     ASSERT_EQ(mesh.primitives.size(), 1u);

@@ -30,16 +30,16 @@ std::string code_cell(std::string_view text) {
     return text.empty() ? std::string("*(empty)*") : '`' + cell(text) + '`';
 }
 
-std::string_view life_text(CvarLife life) {
-    switch (life) {
+std::string_view life_text(const CvarInfo& info) {
+    switch (info.life) {
     case CvarLife::Archived:
-        return "kept";
+        return info.guarded ? "kept, guarded" : "kept";
     case CvarLife::Session:
-        return "session";
+        return info.guarded ? "session, guarded" : "session";
     case CvarLife::Start:
         break;
     }
-    return "start";
+    return "start, guarded";
 }
 
 struct Section {
@@ -59,8 +59,8 @@ std::string row(const CvarInfo& info) {
     const std::string range = cvar_range_text(info);
     return fmt::format("| `{}` | {} | {} | {} | {}{} |\n", info.name,
                        code_cell(cvar_default_text(info)),
-                       info.type == CvarType::Choice ? code_cell(range) : range,
-                       life_text(info.life), cell(info.help), info.gpu ? " (GPU)" : "");
+                       info.type == CvarType::Choice ? code_cell(range) : range, life_text(info),
+                       cell(info.help), info.gpu ? " (GPU)" : "");
 }
 
 std::string page() {
@@ -82,9 +82,11 @@ std::string page() {
         "configuration file when they differ from the default, **session** values last until the "
         "program\n"
         "ends, **start** values are read once when it starts and belong on the command line\n"
-        "(`vigil +set NAME VALUE`). Values from the command line are never kept. Shaders read "
-        "those\n"
-        "marked *(GPU)*.\n";
+        "(`vigil +set NAME VALUE`). Values from the command line are never kept. A cfg file "
+        "inside\n"
+        "a game archive cannot set **guarded** variables, and what it sets of the others is not "
+        "kept\n"
+        "([files.md](files.md)). Shaders read those marked *(GPU)*.\n";
 
     for (const Section& section : sections) {
         text += fmt::format("\n## {}\n\n| variable | default | values | life | meaning |\n"

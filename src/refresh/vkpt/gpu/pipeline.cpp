@@ -3,24 +3,27 @@
 
 #include "common/error.h"
 #include "common/log.h"
+#include "common/output.h"
+#include "common/sealed.h"
 
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <system_error>
 
 namespace vigil::gpu {
 
 namespace {
 
-std::vector<char> read_file(const std::filesystem::path& file) {
+constexpr std::string_view cache_kind = "vigil pipelines 1";
+
+std::string read_file(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Drivers must reject foreign data themselves; checking the header first keeps broken files away
-/// from them.
-bool belongs_to(const std::vector<char>& data, const VkPhysicalDeviceProperties& device) {
+/// Drivers must reject foreign data themselves, but none finds a damaged byte in its own: the seal
+/// and this header keep broken files away from them.
+bool belongs_to(std::span<const std::byte> data, const VkPhysicalDeviceProperties& device) {
     VkPipelineCacheHeaderVersionOne header;
     if (data.size() < sizeof(header)) return false;
     std::memcpy(&header, data.data(), sizeof(header));
@@ -34,11 +37,14 @@ bool belongs_to(const std::vector<char>& data, const VkPhysicalDeviceProperties&
 
 PipelineCache::PipelineCache(const Device& device, std::filesystem::path file)
     : device_(&device), file_(std::move(file)) {
-    std::vector<char> data = read_file(file_);
-    if (!data.empty() && !belongs_to(data, device.properties())) {
-        log_info("pipeline cache {}: from another device or damaged, starting a new one",
+    const std::string file_text = read_file(file_);
+    std::span<const std::byte> data;
+    if (const auto content = unseal(cache_kind, std::as_bytes(std::span(file_text))))
+        data = *content;
+    if (!file_text.empty() && !belongs_to(data, device.properties())) {
+        log_info("pipeline cache {}: from another device or driver, or damaged; starting a new one",
                  file_.string());
-        data.clear();
+        data = {};
     }
     loaded_bytes_ = data.size();
     VkPipelineCacheCreateInfo info{};
@@ -58,20 +64,10 @@ PipelineCache::~PipelineCache() {
     std::vector<char> data(bytes);
     if (vkGetPipelineCacheData(device_->handle(), cache_.get(), &bytes, data.data()) != VK_SUCCESS)
         return;
-    // Write beside the old file and swap, so that an interrupted write leaves the old one.
-    std::error_code error;
-    std::filesystem::create_directories(file_.parent_path(), error);
-    std::filesystem::path temporary = file_;
-    temporary += ".new";
-    {
-        std::ofstream stream(temporary, std::ios::binary);
-        stream.write(data.data(), static_cast<std::streamsize>(bytes));
-        if (!stream) error = std::make_error_code(std::errc::io_error);
-    }
-    if (!error) std::filesystem::rename(temporary, file_, error);
-    if (error) {
-        log_warning("pipeline cache {}: not saved ({})", file_.string(), error.message());
-        std::filesystem::remove(temporary, error);
+    try {
+        write_file(file_, seal(cache_kind, std::as_bytes(std::span(data))));
+    } catch (const std::exception& error) {
+        log_warning("the pipeline cache is not saved: {}", error.what());
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/scene/material_set.h"
 
+#include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/file_system.h"
 #include "common/log.h"
@@ -8,18 +9,13 @@
 #include "formats/texture_name.h"
 
 #include <algorithm>
-#include <cctype>
-#include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace vigil::vkpt {
 
 namespace {
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
+constexpr std::string_view material_file = "materials.json";
 
 glm::vec3 inverse(glm::vec3 mean) {
     for (glm::length_t i = 0; i < 3; ++i)
@@ -40,23 +36,11 @@ shader::Material plain_material(const TextureSet::Entry& texture) {
 
 MaterialSet::MaterialSet(const FileSystem& files, TextureSet& textures)
     : files_(files), textures_(textures) {
-    if (!files.exists("materials.json")) return;
+    if (!files.exists(material_file)) return;
     try {
-        load_gloss(files);
-    } catch (const std::exception& error) {
-        log_warning("materials.json: {}; all surfaces are diffuse", error.what());
-        gloss_.clear();
-    }
-}
-
-void MaterialSet::load_gloss(const FileSystem& files) {
-    const nlohmann::json json = nlohmann::json::parse(files.read_text("materials.json"));
-    for (const auto& [name, entry] : json.items()) {
-        const float roughness = entry.value("roughness", 1.0f);
-        const float specular = entry.value("specular", 0.0f);
-        if (!(roughness >= 0.1f && roughness <= 1.0f && specular >= 0.0f && specular <= 1.0f))
-            fail("{}: roughness must lie in 0.1 to 1 and specular in 0 to 1", name);
-        if (specular > 0.0f) gloss_[lower(name)] = {roughness, specular};
+        gloss_ = parse_material_table(material_file, files.read_text(material_file));
+    } catch (const Error& error) {
+        log_warning("{}; all surfaces are diffuse", error.what());
     }
 }
 
@@ -95,7 +79,7 @@ const MaterialSet::WorldMaterial& MaterialSet::world_material(const Bsp& bsp, ui
     }
     if (info.flags & SURF_TRANS33) result.coverage = coverage_trans33;
     if (info.flags & SURF_TRANS66) result.coverage = coverage_trans66;
-    if (const auto gloss = gloss_.find(lower(info.texture)); gloss != gloss_.end()) {
+    if (const auto gloss = gloss_.find(ascii_lower(info.texture)); gloss != gloss_.end()) {
         material.flags |= shader::MATERIAL_GLOSSY;
         material.roughness = gloss->second.roughness;
         material.specular = gloss->second.specular;

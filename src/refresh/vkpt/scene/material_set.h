@@ -4,6 +4,7 @@
 #pragma once
 
 #include "formats/bsp.h"
+#include "formats/material_table.h"
 #include "formats/mesh.h"
 #include "refresh/vkpt/scene/texture_set.h"
 
@@ -47,17 +48,12 @@ public:
     TextureSet& textures() { return textures_; }
 
 private:
-    struct Gloss {
-        float roughness;
-        float specular;
-    };
-    void load_gloss(const FileSystem& files);
     /// Index of an equal material, or of this one, added.
     uint32_t add(const shader::Material& material);
 
     const FileSystem& files_;
     TextureSet& textures_;
-    std::map<std::string, Gloss> gloss_; // by lower-case texture name
+    MaterialTable gloss_;
     std::vector<shader::Material> materials_;
     std::map<std::string, uint32_t> by_content_; // the bytes of a material
     std::map<uint32_t, WorldMaterial> by_texinfo_;

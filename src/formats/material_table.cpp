@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// materials.json through nlohmann-json; see material_table.h.
+#include "formats/material_table.h"
+
+#include "common/ascii_case.h"
+#include "common/error.h"
+#include "common/printable.h"
+
+#include <nlohmann/json.hpp>
+
+namespace vigil {
+
+namespace {
+
+using nlohmann::json;
+
+/// A number in [low, high]; `fallback` where the member is missing.
+float number(std::string_view entry, const json& object, const char* key, float fallback, float low,
+             float high) {
+    const auto it = object.find(key);
+    if (it == object.end()) return fallback;
+    const double value = it->is_number() ? it->get<double>() : -1.0;
+    if (!(value >= static_cast<double>(low) && value <= static_cast<double>(high)))
+        fail("{}: {} is not a number from {} to {}", entry, key, low, high);
+    return static_cast<float>(value);
+}
+
+} // namespace
+
+MaterialTable parse_material_table(std::string_view name, std::string_view text) {
+    const json root = json::parse(text, nullptr, false);
+    if (!root.is_object()) fail("{}: is not a JSON object", name);
+    MaterialTable table;
+    for (const auto& [texture, source] : root.items()) {
+        const std::string entry = fmt::format("{}: {}", name, printable(texture, 80));
+        if (!source.is_object()) fail("{}: is no object", entry);
+        Gloss gloss;
+        gloss.roughness = number(entry, source, "roughness", gloss.roughness, 0.1f, 1.0f);
+        gloss.specular = number(entry, source, "specular", gloss.specular, 0.0f, 1.0f);
+        if (gloss.specular > 0.0f) table[ascii_lower(texture)] = gloss;
+    }
+    return table;
+}
+
+} // namespace vigil

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pictures, each through the function that every texture comes through.
+#include "formats/image.h"
+#include "target.h"
+
+#include <vector>
+#include <zlib.h>
+
+namespace vigil::fuzz {
+
+namespace {
+
+void decode(std::string_view name, Input bytes) {
+    parse_or_refuse(name, [&] {
+        const Image image = decode_image(name, bytes);
+        require(image.width > 0 && image.height > 0, "the picture is empty");
+        require(image.rgba.size() == std::size_t{4} * image.width * image.height,
+                "the picture has not its size");
+        const float alpha = average_color(image).w;
+        require(alpha >= 0.0f && alpha <= 1.0f, "the mean alpha is no part of 1");
+    });
+}
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// The checksum is left 0: it is not looked at.
+void append_chunk(Bytes& file, std::string_view kind, const Bytes& content) {
+    for (int shift = 24; shift >= 0; shift -= 8)
+        file.push_back(static_cast<std::uint8_t>(content.size() >> shift));
+    file.insert(file.end(), kind.begin(), kind.end());
+    file.insert(file.end(), content.begin(), content.end());
+    file.insert(file.end(), 4, 0);
+}
+
+} // namespace
+
+void fuzz_wal(Input bytes) {
+    decode("x.wal", bytes);
+}
+void fuzz_pcx(Input bytes) {
+    decode("x.pcx", bytes);
+}
+void fuzz_tga(Input bytes) {
+    decode("x.tga", bytes);
+}
+void fuzz_png(Input bytes) {
+    decode("x.png", bytes);
+}
+/// Width, height, colour type, depth and interlacing, one byte each, then the rows.
+void fuzz_png_rows(Input bytes) {
+    constexpr std::size_t header_bytes = 5;
+    if (bytes.size() < header_bytes) return;
+    const Input rows = bytes.subspan(header_bytes);
+    Bytes packed(compressBound(rows.size()));
+    uLongf packed_bytes = packed.size();
+    require(compress2(packed.data(), &packed_bytes, rows.data(), rows.size(), 1) == Z_OK,
+            "zlib packs nothing");
+    packed.resize(packed_bytes);
+    const Bytes header = {0,        0,        0, static_cast<std::uint8_t>(bytes[0] + 1),
+                          0,        0,        0, static_cast<std::uint8_t>(bytes[1] + 1),
+                          bytes[3], bytes[2], 0, 0,
+                          bytes[4]};
+    Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    append_chunk(file, "IHDR", header);
+    append_chunk(file, "PLTE", Bytes(768, 0x55));
+    append_chunk(file, "IDAT", packed);
+    append_chunk(file, "IEND", {});
+    decode("x.png", file);
+}
+void fuzz_jpg(Input bytes) {
+    decode("x.jpg", bytes);
+}
+
+} // namespace vigil::fuzz
