@@ -24,6 +24,9 @@ constexpr int max_nesting = 16;
 // One script may run this many commands between two pauses: an alias that calls itself twice per
 // level stays within max_depth but would never end.
 constexpr int max_commands = 100'000;
+// Aliases and files that run in one script between two pauses: each is split into commands before
+// one of them runs.
+constexpr std::size_t max_inserted_bytes = std::size_t{32} << 20;
 // A command with its variables filled in; a variable's text may be repeated in it.
 constexpr std::size_t max_line_bytes = 65536;
 // Aliases stay until the program ends.
@@ -109,6 +112,7 @@ void CommandRegistry::run_frame() {
         // A pause ends what counts as one run: an alias may call itself after a wait for ever.
         if (pause_ended(script)) {
             script.ran = 0;
+            script.inserted_bytes = 0;
             for (Pending& pending : script.pending)
                 pending.depth = 0;
             run(script);
@@ -268,12 +272,19 @@ void CommandRegistry::insert_text(std::string_view text, std::string_view origin
         execute_text(text, origin, trust);
         return;
     }
+    const auto stop = [this](std::string_view fault) {
+        running_->pending.clear();
+        fail("{}; stopped", fault);
+    };
+    running_->inserted_bytes += text.size();
+    if (running_->inserted_bytes > max_inserted_bytes)
+        stop("scripts or aliases call each other without end");
     std::vector<Pending> inserted;
     for (CommandText& command : split_commands(text))
         inserted.push_back(
             {std::move(command), std::string(origin), lowered(trust), running_->depth + 1});
     if (running_->pending.size() + inserted.size() > std::size_t{max_commands})
-        fail("more than {} commands wait to run; nothing of it runs", max_commands);
+        stop(fmt::format("more than {} commands wait to run", max_commands));
     running_->pending.insert(running_->pending.begin(), std::make_move_iterator(inserted.begin()),
                              std::make_move_iterator(inserted.end()));
 }

@@ -82,8 +82,8 @@ public:
     void pause_script_until(std::function<bool()> done);
 
     /// For commands: runs `text` in the script that runs this command, before what follows in it.
-    /// Throws Error when more commands wait to run than a script may hold. Outside a script it runs
-    /// it at once.
+    /// Throws Error, and ends the script, when it runs or holds more than a script may. Outside a
+    /// script it runs it at once.
     void insert_text(std::string_view text, std::string_view origin = {},
                      Trust trust = Trust::Person);
 
@@ -130,7 +130,8 @@ private:
         std::deque<Pending> pending;
         int wait_frames = 0;
         std::function<bool()> wait_until;
-        int ran = 0; ///< commands since the last pause, to stop endless aliases
+        int ran = 0;                    ///< commands since the last pause, to stop endless aliases
+        std::size_t inserted_bytes = 0; ///< text of aliases and files since then
         int depth = 0;
     };
 

@@ -319,7 +319,18 @@ TEST_F(CommandTest, ScriptsThatPileUpStop) {
         lines += "x\n";
     files["big.cfg"] = lines;
     commands.execute_text("exec big.cfg");
-    EXPECT_TRUE(log.contains("exec: more than 100000 commands wait to run"));
+    EXPECT_TRUE(log.contains("exec: more than 100000 commands wait to run; stopped"));
+    EXPECT_EQ(commands.failures(), 1);
+
+    // A file that takes long to read, again and again.
+    files["short.cfg"] = "do\n//" + std::string(1'000'000, ' ');
+    std::string calls;
+    for (int i = 0; i < 1000; ++i)
+        calls += "exec short.cfg\n";
+    commands.execute_text(calls);
+    EXPECT_EQ(done.size(), 33u);
+    EXPECT_EQ(commands.failures(), 2);
+    EXPECT_TRUE(log.contains("exec: scripts or aliases call each other without end; stopped"));
     for (int i = 0; i < 2000; ++i)
         commands.execute_text(fmt::format("alias a{} b", i));
     EXPECT_EQ(commands.aliases().size(), 1024u);
