@@ -8,6 +8,7 @@ namespace vigil::dm2 {
 namespace {
 
 template <typename... Cases> struct Overloaded : Cases... { using Cases::operator()...; };
+template <typename... Cases> Overloaded(Cases...) -> Overloaded<Cases...>; // clang 14 needs it said
 
 void write_sound(MessageWriter& writer, const Sound& sound) {
     writer.u8(svc_sound);

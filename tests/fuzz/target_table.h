@@ -23,6 +23,7 @@
     ROW(jpg,        ".jpg",      16384,  50000, "JPG pictures") \
     ROW(md2,        ".md2",      16384, 100000, "MD2 models") \
     ROW(mesh,       ".glb",      16384,  30000, "binary glTF models") \
+    ROW(dm2,        ".dm2",      65536,  20000, "demos of protocol 34") \
     ROW(cfg,        ".cfg",       4096,   4000, "scripts: splitting, running, completing") \
     ROW(packed_cfg, ".cfg",       4096,   4000, "the same from a game archive: guarded variables stay") \
     ROW(route,      ".route",     4096,  40000, "camera routes") \
