@@ -94,7 +94,7 @@ private:
     bool ray_query_failed_ = false; // with this level and setting
 
     uint64_t frame_number_ = 0;
-    uint64_t first_frame_ = 0; // of the level: random numbers count from it
+    uint64_t first_frame_ = 0;                // of the level: random numbers count from it
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render
     uint32_t view_accumulated_ = 0;           // the same of the view's
     std::vector<std::byte> accumulation_key_; // what both depend on
