@@ -19,10 +19,13 @@ float number(std::string_view entry, const json& object, const char* key, float 
              float high) {
     const auto it = object.find(key);
     if (it == object.end()) return fallback;
+    // Rounded before it is compared: as a double, 0.1 is less than the float of that name. No range
+    // here reaches below 0 or beyond 1.
     const double value = it->is_number() ? it->get<double>() : -1.0;
-    if (!(value >= static_cast<double>(low) && value <= static_cast<double>(high)))
+    const float rounded = value >= 0.0 && value <= 2.0 ? static_cast<float>(value) : -1.0f;
+    if (!(rounded >= low && rounded <= high))
         fail("{}: {} is not a number from {} to {}", entry, key, low, high);
-    return static_cast<float>(value);
+    return rounded;
 }
 
 } // namespace
