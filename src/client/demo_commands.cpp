@@ -109,7 +109,7 @@ void record(Client& client, CommandArguments arguments) {
     const Route route = load_route(session.files(), arguments[1]);
     DemoRecorder recorder = client.make_recorder();
     refresh::Frame frame = session.frame();
-    const int frames = route.frame_count(dm2::frames_per_second);
+    const int frames = checked_frame_count(route, route_name(arguments[1]), dm2::frames_per_second);
     const double begin_s = frame.time_s;
     for (int i = 0; i < frames; ++i) {
         const double seconds = i / dm2::frames_per_second;

@@ -14,7 +14,6 @@ namespace vigil::client {
 namespace {
 
 constexpr int most_numbered = 10000;
-constexpr int most_frames = 1'000'000; // of a flight; each leaves its times
 
 std::filesystem::path path_of(std::string_view name, std::string_view extension) {
     if (ends_nocase(name, extension)) return output_path(name);
@@ -84,9 +83,7 @@ void fly(Client& client, CommandArguments arguments) {
     plan.size = client.picture_size();
 
     Route route = load_route(client.session().files(), plan.name);
-    if (route.frame_count(plan.fps) > most_frames)
-        fail("the route {} has more than {} frames at {} per second", plan.name, most_frames,
-             plan.fps);
+    checked_frame_count(route, plan.name, plan.fps);
     client.start_flight(std::move(route), std::move(plan));
     client.commands().pause_script_until([&client] { return !client.flying(); });
 }

@@ -127,6 +127,14 @@ std::vector<std::string> list_routes(const FileSystem& files) {
     return names;
 }
 
+int checked_frame_count(const Route& route, std::string_view name, double fps) {
+    constexpr int most = 1'000'000;
+    const int frames = route.frame_count(fps);
+    if (frames > most)
+        fail("the route {} has more than {} frames at {} per second", name, most, fps);
+    return frames;
+}
+
 Route load_route(const FileSystem& files, std::string_view name) {
     const std::string path = fmt::format("{}{}{}", route_folder, route_name(name), route_extension);
     if (!files.exists(path)) {

@@ -45,6 +45,10 @@ private:
     std::vector<Key> keys_; // angles unwrapped: neighbours differ by at most 180 degrees
 };
 
+/// frame_count() of a route that is about to be flown or recorded, each frame of which takes
+/// memory. Throws Error, with the route's name, beyond a million.
+int checked_frame_count(const Route& route, std::string_view name, double fps);
+
 /// Reads routes/NAME.route; `name` may be given with folder and extension. Throws Error, also with
 /// the names there are.
 Route load_route(const FileSystem& files, std::string_view name);
