@@ -1,55 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Demos with the path tracer: a demo that was recorded along a route renders the same pictures each
 // time, and beams and particles are in them.
-#include "client/program.h"
-#include "common/cvar.h"
-#include "common/log.h"
 #include "formats/dm2_parser.h"
 #include "formats/dm2_protocol.h"
 #include "formats/dm2_writer.h"
 #include "formats/image.h"
-#include "test_game.h"
+#include "program_run.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace vigil::client {
 namespace {
 
-class DemoGpuTest : public testing::Test {
+class DemoGpuTest : public ProgramRun {
 protected:
-    DemoGpuTest() {
-        for (const CvarInfo& info : cvar_infos)
-            cvars().reset(info.name);
-        sink_ = add_log_sink([this](Severity severity, std::string_view line) {
-            if (severity == Severity::Error) errors_ += std::string(line) + "\n";
-            output_ += std::string(line) + "\n";
-        });
-    }
-    ~DemoGpuTest() override { remove_log_sink(sink_); }
-
-    /// Runs small and headless on the project's own levels.
+    /// Small pictures of the project's own levels.
     int run(const std::string& text) {
-        std::istringstream stream("+set basedir " VIGIL_SOURCE_DIR " +set outdir " +
-                                  game_.outdir() +
-                                  " +set vid_driver headless +set vid_width 96 +set vid_height 54 "
-                                  " " +
-                                  text);
-        std::vector<std::string> words;
-        for (std::string word; stream >> word;)
-            words.push_back(word);
-        std::vector<const char*> pointers;
-        for (const std::string& word : words)
-            pointers.push_back(word.c_str());
-        return run_program(pointers, [](FileSystem& files, refresh::SurfaceProvider* surface) {
-            return refresh::make_vkpt_renderer(files, surface);
-        });
+        return run_program_on(VIGIL_SOURCE_DIR, "+set vid_width 96 +set vid_height 54 " + text,
+                              [](FileSystem& files, refresh::SurfaceProvider* surface) {
+                                  return refresh::make_vkpt_renderer(files, surface);
+                              });
     }
 
     void TearDown() override {
-        EXPECT_EQ(output_.find("Vulkan validation"), std::string::npos) << output_;
+        for (const std::string& log : {output_, errors_})
+            EXPECT_EQ(log.find("Vulkan validation"), std::string::npos) << log;
     }
 
     /// Writes the first frames of a recorded demo as another.
@@ -83,11 +60,6 @@ protected:
             sum += std::abs(double{a.rgba[i] * 1.0} - b.rgba[i]);
         return sum / static_cast<double>(a.rgba.size());
     }
-
-    TestGame game_;
-    std::string output_;
-    std::string errors_;
-    int sink_ = 0;
 };
 
 TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {

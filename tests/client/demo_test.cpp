@@ -4,14 +4,12 @@
 #include "client/demo_effects.h"
 #include "client/demo_player.h"
 #include "client/demo_recorder.h"
-#include "client/program.h"
 #include "client/route.h"
 #include "common/cvar.h"
-#include "common/log.h"
 #include "fake_renderer.h"
 #include "formats/dm2_protocol.h"
 #include "formats/real_levels.h"
-#include "test_game.h"
+#include "program_run.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,36 +17,18 @@
 
 #include <map>
 #include <random>
-#include <sstream>
 
 namespace vigil::client {
 namespace {
 
-class DemoTest : public testing::Test {
+class DemoTest : public ProgramRun {
 protected:
-    DemoTest() {
-        for (const CvarInfo& info : cvar_infos)
-            cvars().reset(info.name);
-        sink_ = add_log_sink([this](Severity severity, std::string_view line) {
-            (severity == Severity::Error ? errors_ : output_) += std::string(line) + "\n";
-        });
-    }
-    ~DemoTest() override { remove_log_sink(sink_); }
-
-    /// Runs headless with these words, split at spaces, from a clean state.
     int run(const std::string& text) {
         render_ = {};
-        std::istringstream stream("+set basedir " + game_.basedir() + " +set outdir " +
-                                  game_.outdir() + " +set vid_driver headless " + text);
-        std::vector<std::string> words;
-        for (std::string word; stream >> word;)
-            words.push_back(word);
-        std::vector<const char*> pointers;
-        for (const std::string& word : words)
-            pointers.push_back(word.c_str());
-        return run_program(pointers, [this](FileSystem&, refresh::SurfaceProvider*) {
-            return std::make_unique<FakeRenderer>(render_);
-        });
+        return run_program_on(game_.basedir(), text,
+                              [this](FileSystem&, refresh::SurfaceProvider*) {
+                                  return std::make_unique<FakeRenderer>(render_);
+                              });
     }
 
     void write_demo(std::string_view name, const std::vector<uint8_t>& bytes) {
@@ -60,11 +40,7 @@ protected:
         return {text.begin(), text.end()};
     }
 
-    TestGame game_;
-    RenderLog render_;
-    std::string output_;
-    std::string errors_;
-    int sink_ = 0;
+    RenderLog render_; // of the last run
 };
 
 /// A demo of the level "tiny" whose frames the caller fills.

@@ -1,58 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The whole program without a display and without a GPU: command line in, calls of the renderer,
 // files and the exit status out.
-#include "client/program.h"
-
 #include "client/client.h"
 #include "common/archive_builder.h"
-#include "common/cvar.h"
 #include "common/full_disk.h"
-#include "common/log.h"
 #include "fake_renderer.h"
+#include "program_run.h"
 #include "shared/views.h"
-#include "test_game.h"
 
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 namespace vigil::client {
 namespace {
 
-class ProgramTest : public testing::Test {
+class ProgramTest : public ProgramRun {
 protected:
-    ProgramTest() {
-        for (const CvarInfo& info : cvar_infos)
-            cvars().reset(info.name);
-        sink_ = add_log_sink([this](Severity severity, std::string_view line) {
-            (severity == Severity::Error ? errors_ : output_) += std::string(line) + "\n";
-        });
-    }
-    ~ProgramTest() override { remove_log_sink(sink_); }
-
-    /// Runs headless with these words, split at spaces.
     int run(const std::string& text) {
-        std::istringstream stream("+set basedir " + game_.basedir() + " +set outdir " +
-                                  game_.outdir() + " +set vid_driver headless " + text);
-        std::vector<std::string> words;
-        for (std::string word; stream >> word;)
-            words.push_back(word);
-        std::vector<const char*> pointers;
-        for (const std::string& word : words)
-            pointers.push_back(word.c_str());
-        return run_program(pointers, [this](FileSystem&, refresh::SurfaceProvider* surface) {
-            EXPECT_EQ(surface, nullptr);
-            return std::make_unique<FakeRenderer>(render_);
-        });
+        return run_program_on(game_.basedir(), text,
+                              [this](FileSystem&, refresh::SurfaceProvider* surface) {
+                                  EXPECT_EQ(surface, nullptr);
+                                  return std::make_unique<FakeRenderer>(render_);
+                              });
     }
 
-    TestGame game_;
     RenderLog render_;
-    std::string output_;
-    std::string errors_;
-    int sink_ = 0;
 };
 
 TEST_F(ProgramTest, RendersWaitsAndTakesAPicture) {
