@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The program `vigil_bench`: measurements by name. A benchmark is a row of the table; everything
 // else about it is in its own file.
+#include "bench/hierarchy_bench.h"
 #include "bench/quality_bench.h"
 #include "bench/ring_bench.h"
 #include "bench/trace_bench.h"
@@ -21,6 +22,8 @@ struct Bench {
 };
 
 constexpr Bench benches[] = {
+    {"hierarchy", "time to build the light hierarchy, by number of lights",
+     vigil::bench::run_hierarchy_bench},
     {"quality", "error of every technique at one sample per pixel, and its cost",
      vigil::bench::run_quality_bench},
     {"ring", "how fast directional quadtrees follow a light that turns",
@@ -30,7 +33,7 @@ constexpr Bench benches[] = {
 
 void list_benches() {
     for (const Bench& bench : benches)
-        fmt::print("  {:<10}{}\n", bench.name, bench.what);
+        fmt::print("  {:<11}{}\n", bench.name, bench.what);
 }
 
 } // namespace

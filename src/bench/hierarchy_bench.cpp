@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How long the Light Hierarchy takes to build, and what becomes of it; its table is in
-// docs/light-sampling.md. Run by hand.
+#include "bench/hierarchy_bench.h"
+
+#include "common/error.h"
 #include "common/stopwatch.h"
 #include "refresh/vkpt/light/light_hierarchy.h"
 #include "shared/random.h"
@@ -10,7 +11,7 @@
 #include <cstdio>
 #include <ctime>
 
-using namespace vigil;
+namespace vigil::bench {
 
 namespace {
 
@@ -38,9 +39,10 @@ double processor_ms() {
 
 } // namespace
 
-int main() {
-    std::printf("%8s %9s %13s %13s %8s %8s\n", "lights", "ms", "processor ms", "of it, tree",
-                "nodes", "MB");
+int run_hierarchy_bench(std::span<const std::string> arguments) {
+    if (!arguments.empty()) fail("{}: unknown option; there are none", arguments[0]);
+    fmt::print("{:>8} {:>9} {:>13} {:>13} {:>8} {:>8}\n", "lights", "ms", "processor ms",
+               "of it, tree", "nodes", "MB");
     for (const uint32_t count : {100u, 1000u, 10000u, 100000u}) {
         const std::vector<shader::Light> lights = lamps(count);
         LightTree tree;
@@ -60,8 +62,11 @@ int main() {
             16.0 * static_cast<double>(hierarchy.nodes().size()) +
             4.0 * static_cast<double>(hierarchy.leaf_lights().size() + hierarchy.places().size() +
                                       hierarchy.parents().size());
-        std::printf("%8u %9.2f %13.2f %13.2f %8u %8.2f\n", count, wall, all, part,
-                    hierarchy.header().node_count, bytes / 1e6);
+        fmt::print("{:>8} {:>9.2f} {:>13.2f} {:>13.2f} {:>8} {:>8.2f}\n", count, wall, all, part,
+                   hierarchy.header().node_count, bytes / 1e6);
+        std::fflush(stdout);
     }
     return 0;
 }
+
+} // namespace vigil::bench
