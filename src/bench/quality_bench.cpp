@@ -6,6 +6,7 @@
 #include "bench/quality_progress.h"
 #include "bench/quality_renderer.h"
 #include "bench/quality_report.h"
+#include "client/picture_file.h"
 #include "common/cvar.h"
 #include "common/error.h"
 #include "common/log.h"
@@ -82,7 +83,32 @@ ViewResult make_reference(const QualityOptions& options, QualityRenderer& render
             reference.mean_variance(),
             relative_variance(reference),
             smallest_mse(pictures, reference),
+            {},
             {}};
+}
+
+/// Writes a view's reference and the first frame of every run as LEVEL/viewN/reference.exr and
+/// LABEL_SEED.exr below the folder; returns where.
+std::string write_pictures(const QualityOptions& options, const std::string& level,
+                           std::size_t view, const Reference& reference, const Pictures& pictures) {
+    const std::filesystem::path folder =
+        std::filesystem::path(options.pictures) / level / fmt::format("view{}", view + 1);
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    if (fault) fail("{}: {}", folder.string(), fault.message());
+    refresh::RadiancePicture picture{options.size.x, options.size.y, 1, {}};
+    for (std::size_t i = 0; i < reference.values(); ++i)
+        picture.rgb.push_back(static_cast<float>(reference.mean(i)));
+    client::write_exr(folder / "reference.exr", picture);
+    for (std::size_t row = 0; row < pictures.size(); ++row) {
+        std::string label = options.rows[row].label;
+        std::ranges::replace(label, '/', '_');
+        for (std::size_t seed = 0; seed < pictures[row].size(); ++seed) {
+            picture.rgb = pictures[row][seed].front();
+            client::write_exr(folder / fmt::format("{}_{}.exr", label, seed + 1), picture);
+        }
+    }
+    return folder.string();
 }
 
 double sum_of_passes(const Measurement& measured, vkpt::Pass first, vkpt::Pass last) {
@@ -140,6 +166,9 @@ LevelResult measure_level(const QualityOptions& options, QualityRenderer& render
         Reference reference(pictures[0][0][0].size());
         result.views.push_back(
             make_reference(options, renderer, place, progress, reference, pictures));
+        if (!options.pictures.empty())
+            result.views.back().pictures =
+                write_pictures(options, level, result.views.size() - 1, reference, pictures);
         if (options.floor) {
             progress.note("the floor");
             result.views.back().floor = renderer.floor(place);

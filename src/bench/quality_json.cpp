@@ -55,6 +55,7 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
                           {"variance", view.variance},
                           {"relative_variance", view.relative_variance},
                           {"smallest_mse", view.smallest_mse}}}});
+        if (!view.pictures.empty()) list.back()["pictures"] = view.pictures;
         if (view.floor.pixels > 0)
             list.back()["floor"] = {{"variance", view.floor.variance},
                                     {"error", view.floor.error},

@@ -18,7 +18,7 @@ constexpr std::string_view usage =
     "--baseline "
     "LABEL, --reference ROW, --reference-paths N, --fresh, --floor, --curve, --curve-frames N, "
     "--quick, "
-    "--json FILE";
+    "--json FILE, --pictures FOLDER";
 
 bool is_technique(std::string_view name) {
     return std::ranges::any_of(technique_infos,
@@ -148,9 +148,11 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--curve", [&] { options.curve = true; }},
         {"--curve-frames", [&] { count("--curve-frames", options.curve_frames, 9, 900); }},
         {"--json", [&] { options.json = value(); }},
+        {"--pictures", [&] { options.pictures = value(); }},
     };
     if (std::ranges::find(arguments, "--quick") != arguments.end()) set_quick(options);
     words.run(actions, usage);
+    if (options.curve && !options.pictures.empty()) fail("--curve leaves no pictures");
     if (options.floor && options.curve) fail("--floor and --curve are two experiments");
     // Light that no technique samples is not for the floor to explain.
     if (options.floor)

@@ -43,7 +43,8 @@ struct QualityOptions {
     bool fresh = false;            // references are made anew
     bool curve = false;            // error per frame from an empty cache, standing still
     int curve_frames = 24;
-    std::string json; // empty: outdir/quality.json
+    std::string json;     // empty: outdir/quality.json
+    std::string pictures; // folder for pictures of references and runs; empty: none
 };
 
 /// Parses the words after `quality`. Throws Error that lists the options when one is unknown, and

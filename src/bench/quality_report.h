@@ -40,6 +40,7 @@ struct ViewResult {
     double relative_variance = 0.0;
     double smallest_mse = 0.0; // of the rows here
     LightFloor floor;          // with --floor
+    std::string pictures;      // folder of those of this view; empty: none
 };
 
 struct LevelResult {

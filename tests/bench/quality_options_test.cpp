@@ -76,4 +76,21 @@ TEST(QualityOptions, QuickOnlyChangesWhatIsNotSaid) {
     EXPECT_EQ(parse({"--quick", "--level", "mine"}).levels, (std::vector<std::string>{"mine"}));
 }
 
+TEST(QualityOptions, FloorIsAboutDirectLightUnlessSaidOtherwise) {
+    const QualityOptions options = parse({"--set", "pt_bounces", "1", "--floor"});
+    EXPECT_TRUE(options.floor);
+    // Later settings win.
+    ASSERT_EQ(options.settings.size(), 4u);
+    EXPECT_EQ(options.settings.front().name, "pt_bounces");
+    EXPECT_EQ(options.settings.front().value, "0");
+    EXPECT_EQ(options.settings.back().value, "1");
+    EXPECT_TRUE(parse({}).settings.empty());
+}
+
+TEST(QualityOptions, TheCurveHasNeitherFloorNorPictures) {
+    EXPECT_EQ(parse({"--pictures", "out/p"}).pictures, "out/p");
+    EXPECT_THROW(parse({"--curve", "--floor"}), Error);
+    EXPECT_THROW(parse({"--curve", "--pictures", "out/p"}), Error);
+}
+
 } // namespace vigil::bench
