@@ -65,6 +65,8 @@
         "1: average all frames while nothing moves; for references") \
     INTEGER(pt_jitter, Session, 1, 0, 2, \
         "camera rays: 0 through pixel centres, 1 jittered while accumulating, 2 always jittered") \
+    INTEGER(pt_subdivide, Session, 0, 0, 6, \
+        "N above 0: the next level's surfaces are cut into 4^N times as many triangles, to measure what triangles cost") \
     INTEGER(pt_light_styles, Session, 1, 0, 1, \
         "0: flickering and switched lights shine steadily") \
     GPU_INTEGER(pt_seed, Session, 0, 0, 2147483647, \

@@ -85,6 +85,10 @@ double relative_variance(const Reference& reference);
 /// there are if the last one is above it.
 int stays_below(std::span<const double> curve, double limit);
 
+/// What counts as settled: the mean of the last 8 frames; reached at 1.1 times that.
+inline constexpr int settled_tail = 8;
+inline constexpr double settled_factor = 1.1;
+
 /// When a curve of errors has settled: `level` is the mean of its last `tail` values, `frame`
 /// counts from 1 and is the first from which all are at most `factor` times the level.
 struct Settled {

@@ -12,10 +12,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json to_json(const Interval& interval) {
-    return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
-}
-
 /// A curve, with the frame where it settles.
 ordered_json to_json(const std::vector<Strata>& curve) {
     const Settled settled = settled_of(curve);
@@ -29,13 +25,6 @@ ordered_json to_json(const std::vector<Strata>& curve) {
             {"settled_factor", settled_factor},
             {"settled_frame", settled.frame},
             {"frames", std::move(frames)}};
-}
-
-ordered_json to_json(const QualityRow& row) {
-    ordered_json variables = ordered_json::object();
-    for (const Setting& setting : row.settings)
-        variables[setting.name] = setting.value;
-    return {{"label", row.label}, {"variables", std::move(variables)}};
 }
 
 ordered_json to_json(const std::vector<ViewResult>& views) {
@@ -65,6 +54,17 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
 }
 
 } // namespace
+
+ordered_json to_json(const Interval& interval) {
+    return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
+}
+
+ordered_json to_json(const QualityRow& row) {
+    ordered_json variables = ordered_json::object();
+    for (const Setting& setting : row.settings)
+        variables[setting.name] = setting.value;
+    return {{"label", row.label}, {"variables", std::move(variables)}};
+}
 
 Settled settled_of(const std::vector<Strata>& curve) {
     std::vector<double> means;
@@ -110,6 +110,8 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         json["mse"]["ratio_at_equal_time"] = to_json(equal_time(row, *baseline, &RowResult::mse));
         json["trimmed_mse"]["ratio_at_equal_time"] =
             to_json(equal_time(row, *baseline, &RowResult::trimmed_mse));
+        json["efficiency"] = {{"value", efficiency(row, &RowResult::mse)},
+                              {"trimmed", efficiency(row, &RowResult::trimmed_mse)}};
         if (options.floor) json["floor_over_mse"] = to_json(share_of_floor(result.views, row));
         ordered_json passes = ordered_json::object();
         for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
@@ -117,8 +119,7 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         json["pass_ms"] = std::move(passes);
         rows.push_back(std::move(json));
     }
-    return {{"level", result.level},
-            {"views", to_json(result.views)},
+    return {{"views", to_json(result.views)},
             {"nonfinite", result.nonfinite},
             {"rows", std::move(rows)}};
 }
@@ -131,34 +132,7 @@ ordered_json curve_json(const CurveResult& result) {
         json["trimmed_mse"] = to_json(row.trimmed_mse);
         rows.push_back(std::move(json));
     }
-    return {{"level", result.level}, {"views", to_json(result.views)}, {"rows", std::move(rows)}};
-}
-
-ordered_json settings_json(const QualityOptions& options, const std::string& device) {
-    ordered_json variables = ordered_json::object();
-    for (const CvarInfo& info : cvar_infos) {
-        const std::string value = cvar_text(info, cvars().values());
-        if (value != cvar_default_text(info)) variables[std::string(info.name)] = value;
-    }
-    ordered_json rows = ordered_json::array();
-    for (const QualityRow& row : options.rows)
-        rows.push_back(to_json(row));
-    return {{"measured", options.curve ? "curve" : "quality"},
-            {"device", device},
-            {"width", options.size.x},
-            {"height", options.size.y},
-            {"seeds", options.seeds},
-            {"first_seed", options.first_seed},
-            {"warmup", options.warmup},
-            {"frames", options.frames},
-            {"camera_fps", place_fps},
-            {"baseline", options.baseline},
-            {"trimmed_share", trimmed_share},
-            {"bright_factor", bright_factor},
-            {"reference_paths", options.reference_paths},
-            {"reference_share", options.reference_share},
-            {"variables", std::move(variables)},
-            {"rows", std::move(rows)}};
+    return {{"views", to_json(result.views)}, {"rows", std::move(rows)}};
 }
 
 } // namespace vigil::bench

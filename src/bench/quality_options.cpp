@@ -2,6 +2,7 @@
 #include "bench/quality_options.h"
 
 #include "bench/option_values.h"
+#include "bench/quality_estimate.h"
 #include "common/cvar.h"
 #include "common/error.h"
 #include "shared/techniques.h"
@@ -15,46 +16,22 @@ namespace {
 constexpr std::string_view usage =
     "--level NAME, --basedir FOLDER, --shared, --views N, --seeds S, --first-seed N, --warmup W, "
     "--frames N, --size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, "
-    "--baseline "
-    "LABEL, --reference ROW, --reference-paths N, --fresh, --floor, --curve, --curve-frames N, "
-    "--quick, "
-    "--json FILE, --pictures FOLDER";
+    "--baseline LABEL, --reference ROW, --reference-paths N, --fresh, --floor, --quick, --part "
+    "NAME, --keep, --json FILE, --pictures FOLDER";
+
+/// Where rays alone find the light (a sun behind a gap), nothing else converges in time.
+const std::string default_reference = "vlc+cdq";
 
 bool is_technique(std::string_view name) {
     return std::ranges::any_of(technique_infos,
                                [name](const TechniqueInfo& info) { return info.name == name; });
 }
 
-void need_technique(std::string_view name) {
-    if (!is_technique(name)) fail("{}: no such technique; known are {}", name, technique_choices);
-}
-
-QualityRow technique_row(std::string_view name) {
-    return {std::string(name), {{"pt_nee", std::string(name)}}};
-}
-
-void set_quick(QualityOptions& options) {
-    options.levels = {"warehouse"};
-    options.views = 2;
-    options.seeds = 3;
-    options.warmup = 8;
-    options.size = {160, 90};
-}
-
 /// Fills what the command line left open.
 void complete(QualityOptions& options, std::vector<QualityRow> techniques,
               const std::vector<QualityRow>& variants) {
-    if (options.levels.empty()) options.levels = {"warehouse", "mine", "gallery"};
     if (options.basedirs.empty()) options.basedirs = default_basedirs();
-    if (techniques.empty()) {
-        techniques = technique_rows();
-        // Only these two have anything to tell frame by frame.
-        if (options.curve)
-            std::erase_if(techniques, [](const QualityRow& row) {
-                return row.label != "sll" && row.label != "vlc";
-            });
-    }
-    options.rows = std::move(techniques);
+    if (!techniques.empty()) options.rows = std::move(techniques);
     options.rows.insert(options.rows.end(), variants.begin(), variants.end());
     for (auto row = options.rows.begin(); row != options.rows.end(); ++row)
         if (std::any_of(options.rows.begin(), row,
@@ -68,11 +45,9 @@ void complete(QualityOptions& options, std::vector<QualityRow> techniques,
         options.baseline = has_row("sll") ? "sll" : options.rows.front().label;
     if (!has_row(options.baseline)) fail("--baseline {}: no such row", options.baseline);
     // A row by its label, else a technique.
-    const std::string reference = options.reference.label.empty()
-                                      ? std::string(is_technique("vlc") ? "vlc" : "sll")
-                                      : options.reference.label;
+    const std::string reference =
+        options.reference.label.empty() ? default_reference : options.reference.label;
     const auto row = std::ranges::find(options.rows, reference, &QualityRow::label);
-    if (row == options.rows.end()) need_technique(reference);
     options.reference = row != options.rows.end() ? *row : technique_row(reference);
 }
 
@@ -98,6 +73,17 @@ QualityRow parse_variant(std::string_view text) {
     return row;
 }
 
+QualityRow technique_row(std::string_view name) {
+    constexpr std::string_view guided = "+cdq";
+    const bool is_guided = name.ends_with(guided);
+    const std::string_view technique = name.substr(0, name.size() - is_guided * guided.size());
+    if (!is_technique(technique))
+        fail("{}: no such technique; known are {}", technique, technique_choices);
+    QualityRow row{std::string(name), {{"pt_nee", std::string(technique)}}};
+    if (is_guided) row.settings.push_back({"pt_guide", "cdq"});
+    return row;
+}
+
 std::vector<QualityRow> technique_rows() {
     std::vector<QualityRow> rows;
     for (const TechniqueInfo& info : technique_infos)
@@ -105,8 +91,10 @@ std::vector<QualityRow> technique_rows() {
     return rows;
 }
 
-QualityOptions parse_quality_options(std::span<const std::string> arguments) {
-    QualityOptions options;
+QualityOptions parse_quality_options(std::span<const std::string> arguments,
+                                     const QualityDefaults& defaults) {
+    const bool quick = std::ranges::find(arguments, "--quick") != arguments.end();
+    QualityOptions options = quick ? defaults.quick : defaults.options;
     std::vector<QualityRow> techniques, variants;
     std::vector<std::string> levels; // named ones replace the default
     OptionWords words(arguments);
@@ -115,7 +103,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         number = parse_count(option, value(), low, high);
     };
     const OptionWords::Actions actions = {
-        {"--quick", [] {}}, // below, before all others
+        {"--quick", [] {}}, // above, before all others
         {"--level", [&] { levels.push_back(value()); }},
         {"--basedir", [&] { options.basedirs.emplace_back(value()); }},
         {"--shared",
@@ -128,11 +116,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
         {"--warmup", [&] { count("--warmup", options.warmup, 0, 900); }},
         {"--frames", [&] { count("--frames", options.frames, 1, 900); }},
         {"--size", [&] { options.size = parse_size("--size", value()); }},
-        {"--technique",
-         [&] {
-             techniques.push_back(technique_row(value()));
-             need_technique(techniques.back().label);
-         }},
+        {"--technique", [&] { techniques.push_back(technique_row(value())); }},
         {"--variant", [&] { variants.push_back(parse_variant(value())); }},
         {"--set",
          [&] {
@@ -145,15 +129,16 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments) {
          [&] { count("--reference-paths", options.reference_paths, 2, 100000000); }},
         {"--fresh", [&] { options.fresh = true; }},
         {"--floor", [&] { options.floor = true; }},
-        {"--curve", [&] { options.curve = true; }},
-        {"--curve-frames", [&] { count("--curve-frames", options.curve_frames, 9, 900); }},
+        {"--part", [&] { options.parts.push_back(value()); }},
+        {"--keep", [&] { options.keep = true; }},
         {"--json", [&] { options.json = value(); }},
         {"--pictures", [&] { options.pictures = value(); }},
     };
-    if (std::ranges::find(arguments, "--quick") != arguments.end()) set_quick(options);
     words.run(actions, usage);
-    if (options.curve && !options.pictures.empty()) fail("--curve leaves no pictures");
-    if (options.floor && options.curve) fail("--floor and --curve are two experiments");
+    if (options.measured != Measured::Errors && (options.floor || !options.pictures.empty()))
+        fail("--floor and --pictures belong to single frames");
+    if (options.measured == Measured::Curve && options.frames <= settled_tail)
+        fail("--frames {}: a curve needs more than {}", options.frames, settled_tail);
     // Light that no technique samples is not for the floor to explain.
     if (options.floor)
         options.settings.insert(

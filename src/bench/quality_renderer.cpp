@@ -22,11 +22,13 @@ namespace {
 /// pt_seed of a reference's first batch; measured frames have smaller ones.
 constexpr int first_reference_seed = 1 << 30;
 
-/// Variables that choose random numbers, number of paths, or what is done with finished radiance.
+/// Variables that choose more than random numbers, number of paths, what is done with finished
+/// radiance, or how surfaces are stored.
 bool changes_reference(std::string_view name) {
     static constexpr std::string_view others[] = {
-        "pt_nee",      "pt_seed",          "pt_spp",     "pt_accumulate",
-        "pt_exposure", "pt_exposure_bias", "pt_tonemap", "pt_view"};
+        "pt_nee",           "pt_seed",    "pt_spp",  "pt_accumulate", "pt_exposure",
+        "pt_exposure_bias", "pt_tonemap", "pt_view", "pt_subdivide"}; // the same surfaces in more
+                                                                      // triangles
     if (name == "fov") return true;
     return name.starts_with("pt_") && std::ranges::find(others, name) == std::end(others);
 }
@@ -60,9 +62,12 @@ QualityRenderer::QualityRenderer(const QualityOptions& options, const std::strin
     set("vid_height", std::to_string(options.size.y));
     if (cvars()->pt_jitter == 1)
         fail("pt_jitter 1 moves the pixels of references only; set 0 or 2");
-    for (const QualityRow& row : options.rows)
+    const auto add_base = [&](const QualityRow& row) {
         for (const Setting& setting : row.settings)
             base_.push_back({setting.name, cvars().get_text(setting.name)});
+    };
+    std::ranges::for_each(options.rows, add_base);
+    add_base(options.reference);
     for (const char* name : {"pt_nee", "pt_spp"}) // references set them
         base_.push_back({name, cvars().get_text(name)});
 
@@ -102,6 +107,14 @@ void QualityRenderer::begin_run(const QualityRow& row, int seed) {
     set("pt_seed", std::to_string(seed));
     set("pt_accumulate", "0");
     renderer_->reset_guiding();
+}
+
+void QualityRenderer::prepare(const std::vector<QualityRow>& rows) {
+    constexpr int frames = 2; // the second one reads what the first has learned
+    for (const QualityRow& row : rows) {
+        begin_run(row, 0);
+        stand_still(places_.front().measured(), frames);
+    }
 }
 
 std::uint64_t QualityRenderer::render(const Pose& pose) {
@@ -158,6 +171,23 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
     result.unlit = static_cast<double>(unlit) / total;
     result.explored = static_cast<double>(explored) / total;
     return result;
+}
+
+std::vector<FrameCost> QualityRenderer::fly(const Place& place, const QualityRow& row, int seed) {
+    begin_run(row, seed);
+    renderer_->take_frame_times(true);
+    std::vector<FrameCost> costs;
+    for (const Pose& pose : place.frames) {
+        const Stopwatch watch;
+        render(pose);
+        FrameCost& cost = costs.emplace_back();
+        cost.pass_ms.resize(std::size(vkpt::pass_names));
+        for (const refresh::FrameTimes& frame : renderer_->take_frame_times(true))
+            for (const refresh::PassTime& pass : frame.passes)
+                cost.pass_ms[pass_index(pass.name)] = pass.milliseconds;
+        cost.frame_ms = 1e3 * watch.seconds();
+    }
+    return costs;
 }
 
 LightFloor QualityRenderer::floor(const Place& place) {

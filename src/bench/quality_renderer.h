@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The pictures of the quality benchmark: one level in the renderer, rows as settings, runs of
+// The pictures of experiments: one level in the renderer, rows as settings, runs of
 // frames that start with empty caches, and batches of references. It computes no statistics.
 #pragma once
 
@@ -37,6 +37,13 @@ struct Measurement {
     double explored = 0.0;
 };
 
+/// What one frame of a flight cost, milliseconds.
+struct FrameCost {
+    std::vector<double>
+        pass_ms;           // in the order of refresh/vkpt/passes.h; 0 for those that did not run
+    double frame_ms = 0.0; // by the clock of the host
+};
+
 class QualityRenderer {
 public:
     /// Loads a level from the first of the folders that has it. The variables now set are the base
@@ -48,10 +55,18 @@ public:
     std::string device() const { return renderer_->describe_device(); }
     /// Radiance values so far that were not finite and count as 0.
     std::uint32_t nonfinite_count() const { return renderer_->nonfinite_count(); }
+    /// Of the level, as it is rendered. After a frame.
+    std::size_t triangle_count() const { return renderer_->scene()->host_triangles().size(); }
+    std::size_t light_count() const { return renderer_->scene()->lights().lights().size(); }
 
+    /// Renders a few frames with every row, so that what is made at first use (pipelines, tables)
+    /// is there before anything is measured.
+    void prepare(const std::vector<QualityRow>& rows);
     /// Renders the warm-up and the measured frames from empty caches; frames after the first stand
     /// still.
     Measurement measure(const Place& place, const QualityRow& row, int seed, int frames);
+    /// Renders all frames of the place from empty caches and waits for each.
+    std::vector<FrameCost> fly(const Place& place, const QualityRow& row, int seed);
     /// The least error that any choice of lights can have at the place; changes pt_nee.
     LightFloor floor(const Place& place);
     /// Sets a row's variables and empties all caches, for stand_still().

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the quality benchmark found, and how it is told: tables for people, JSON for programs. Every
-// number has its interval and the reference's error beside it. No GPU.
+// What experiments about quality found, and how it is told: tables for people, JSON for programs.
+// Every number has its interval and the reference's error beside it. No GPU.
 #pragma once
 
 #include "bench/light_floor.h"
@@ -62,16 +62,15 @@ struct CurveResult {
     std::vector<CurveRow> rows;
 };
 
-/// What counts as settled: the mean of the last 8 frames; reached at 1.1 times that.
-inline constexpr int settled_tail = 8;
-inline constexpr double settled_factor = 1.1;
-
 /// The settled error of a curve and the frame where it is reached.
 Settled settled_of(const std::vector<Strata>& curve);
 
 /// The ratio of errors when both rows may take as long: variance falls with the number of samples,
 /// so it is that at equal samples times that of the frames' times.
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
+
+/// 1 / (error x seconds of a frame), the efficiency of an estimator.
+double efficiency(const RowResult& row, Strata RowResult::*error);
 
 /// The floor over a row's error: 1 is a perfect choice of lights.
 Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row);
@@ -81,8 +80,7 @@ std::string curve_text(const QualityOptions& options, const CurveResult& result)
 
 nlohmann::ordered_json quality_json(const QualityOptions& options, const LevelResult& result);
 nlohmann::ordered_json curve_json(const CurveResult& result);
-/// The part that is the same for all levels: size, repeats, device, variables that differ from
-/// their defaults, rows.
-nlohmann::ordered_json settings_json(const QualityOptions& options, const std::string& device);
+nlohmann::ordered_json to_json(const Interval& interval);
+nlohmann::ordered_json to_json(const QualityRow& row);
 
 } // namespace vigil::bench

@@ -165,16 +165,17 @@ std::string time_table(const QualityOptions& options, const LevelResult& result)
 
 std::string equal_time_table(const QualityOptions& options, const LevelResult& result) {
     const RowResult& baseline = baseline_of(options, result);
-    std::string text =
-        fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n", "  equal time",
-                    "frame, ms", "/ " + options.baseline, "95%", "MSE", "95%", "trimmed", "95%");
+    std::string text = fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}{:>12}\n",
+                                   "  equal time", "frame, ms", "/ " + options.baseline, "95%",
+                                   "MSE", "95%", "trimmed", "95%", "1/(MSE s)");
     for (const RowResult& row : result.rows) {
         const Interval time = median_ratio(row.frame_ms, baseline.frame_ms);
         const Interval mse = equal_time(row, baseline, &RowResult::mse);
         const Interval trimmed = equal_time(row, baseline, &RowResult::trimmed_mse);
-        text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}\n",
+        text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}{:>12}\n",
                             row.row.label, median_of(row.frame_ms), number(time.value), range(time),
-                            number(mse.value), range(mse), number(trimmed.value), range(trimmed));
+                            number(mse.value), range(mse), number(trimmed.value), range(trimmed),
+                            number(efficiency(row, &RowResult::mse)));
     }
     return text;
 }
@@ -227,6 +228,10 @@ Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& r
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
     return product(ratio_interval(row.*error, baseline.*error),
                    median_ratio(row.frame_ms, baseline.frame_ms));
+}
+
+double efficiency(const RowResult& row, Strata RowResult::*error) {
+    return 1.0 / (mean_interval(row.*error).value * 1e-3 * median_of(row.frame_ms));
 }
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result) {

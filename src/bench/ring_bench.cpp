@@ -3,11 +3,14 @@
 // frames until the trees have settled, the turn, and the frames after it.
 #include "bench/ring_bench.h"
 
+#include "bench/checkpoint.h"
 #include "bench/option_values.h"
 #include "bench/quality_renderer.h"
 #include "bench/ring_report.h"
+#include "client/commit.h"
 #include "common/cvar.h"
 #include "common/output.h"
+#include "common/progress.h"
 
 #include <array>
 #include <cstdio>
@@ -22,7 +25,7 @@ constexpr const char* lamp = "lamp"; // targetname of what turns
 
 /// The reference with the lamp at an angle, by rays that know where the light comes from.
 Reference make_reference(const RingOptions& options, QualityRenderer& renderer, const Pose& pose,
-                         int degrees) {
+                         int degrees, Progress& progress) {
     renderer.turn(lamp, static_cast<float>(degrees));
     Reference reference(std::size_t{3} * options.size.x * options.size.y);
     const QualityRow row = ring_rows(std::array{64}).front();
@@ -31,9 +34,9 @@ Reference make_reference(const RingOptions& options, QualityRenderer& renderer, 
         reference, pose,
         {row, options.settle, options.fresh, [&] { return reference.batches() >= batches; },
          [&] {
-             if (reference.batches() % 16 == 0)
-                 fmt::print(stderr, "{} degrees: reference, {} paths of {}\n", degrees,
-                            reference.batches() * reference_batch_paths, options.reference_paths);
+             progress.note(fmt::format("reference at {} degrees, {} paths of {}", degrees,
+                                       reference.batches() * reference_batch_paths,
+                                       options.reference_paths));
          }});
     return reference;
 }
@@ -60,14 +63,15 @@ void measure(const RingOptions& options, QualityRenderer& renderer, const Pose& 
 }
 
 RingTurn measure_turn(const RingOptions& options, QualityRenderer& renderer, const Pose& pose,
-                      int degrees, const std::map<int, Reference>& references) {
+                      int degrees, const std::map<int, Reference>& references, Progress& progress) {
     RingTurn turn{degrees, references.at(degrees).mean_variance(), {}};
     for (const QualityRow& row : ring_rows(options.bits))
         turn.rows.push_back({row, {}, {}});
     for (int seed = 1; seed <= options.seeds; ++seed) {
-        for (RingRow& row : turn.rows)
+        for (RingRow& row : turn.rows) {
             measure(options, renderer, pose, seed, degrees, references, row);
-        fmt::print(stderr, "{} degrees: seed {} of {}\n", degrees, seed, options.seeds);
+            progress.advance(fmt::format("seed {} of {}", seed, options.seeds));
+        }
     }
     return turn;
 }
@@ -89,34 +93,53 @@ int run_ring_bench(std::span<const std::string> arguments) {
     QualityRenderer renderer(place, level);
     const Pose pose = renderer.places().front().measured();
 
-    std::map<int, Reference> references;
-    references.emplace(0, make_reference(options, renderer, pose, 0));
-    for (const int degrees : options.turns)
-        references.emplace(degrees, make_reference(options, renderer, pose, degrees));
-
-    nlohmann::ordered_json report = {{"measured", "ring"},
-                                     {"device", renderer.device()},
-                                     {"width", options.size.x},
-                                     {"height", options.size.y},
-                                     {"seeds", options.seeds},
-                                     {"settle", options.settle},
-                                     {"settled_tail", ring_tail},
-                                     {"settled_factor", ring_factor},
-                                     {"reference_paths", options.reference_paths},
-                                     {"turns", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json variables = nlohmann::ordered_json::object();
+    for (const Setting& setting : options.settings)
+        variables[setting.name] = setting.value;
     const std::filesystem::path path =
         options.json.empty() ? output_path("ring.json") : std::filesystem::path(options.json);
-    std::vector<RingTurn> turns;
+    Checkpoint checkpoint(path,
+                          {{"measured", "ring"},
+                           {"device", renderer.device()},
+                           {"commit", client::commit()},
+                           {"width", options.size.x},
+                           {"height", options.size.y},
+                           {"turns", options.turns},
+                           {"bits", options.bits},
+                           {"seeds", options.seeds},
+                           {"settle", options.settle},
+                           {"frames", options.frames},
+                           {"settled_tail", ring_tail},
+                           {"settled_factor", ring_factor},
+                           {"reference_paths", options.reference_paths},
+                           {"variables", std::move(variables)}},
+                          options.keep);
+    const auto part_name = [](int degrees) { return fmt::format("{} degrees", degrees); };
+    const int steps = options.seeds * static_cast<int>(place.rows.size());
+    Progress progress(steps * static_cast<int>(options.turns.size()));
+    std::map<int, Reference> references;
+    const auto need_reference = [&](int degrees) {
+        if (!references.contains(degrees))
+            references.emplace(degrees, make_reference(options, renderer, pose, degrees, progress));
+    };
     for (const int degrees : options.turns) {
-        turns.push_back(measure_turn(options, renderer, pose, degrees, references));
-        fmt::print("{}", ring_text(turns.back()));
+        if (checkpoint.find(part_name(degrees)) != nullptr) {
+            fmt::print("{}: measured before, kept\n", part_name(degrees));
+            progress.skip(steps);
+            continue;
+        }
+        progress.begin(part_name(degrees));
+        need_reference(0);
+        need_reference(degrees);
+        const RingTurn turn = measure_turn(options, renderer, pose, degrees, references, progress);
+        fmt::print("{}", ring_text(turn));
         std::fflush(stdout);
-        // After every turn, so that an interrupted run leaves what it has.
-        report["turns"].push_back(ring_json(turns.back()));
-        write_file(path, report.dump(1) + "\n");
-        write_file(std::filesystem::path(path).replace_extension(".csv"), ring_csv(turns));
+        checkpoint.add(part_name(degrees), ring_json(turn));
     }
-    fmt::print("\nreport: {}\n", path.string());
+    checkpoint.finish();
+    const std::filesystem::path csv = std::filesystem::path(path).replace_extension(".csv");
+    write_file(csv, ring_csv(checkpoint.report()));
+    fmt::print("\nreport: {}, {}\n", path.string(), csv.string());
     return 0;
 }
 

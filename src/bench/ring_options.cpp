@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vigil::bench {
 
 namespace {
 
 constexpr std::string_view usage = "--size WxH, --turn DEGREES, --bits N, --seeds S, --settle N, "
-                                   "--frames N, --reference-paths N, --fresh, "
+                                   "--frames N, --reference-paths N, --fresh, --keep, --quick, "
                                    "--set NAME VALUE, --json FILE";
 
 int parse_quadtree_size(std::string_view text) {
@@ -35,6 +37,15 @@ std::vector<QualityRow> ring_rows(std::span<const int> sizes) {
 
 RingOptions parse_ring_options(std::span<const std::string> arguments) {
     RingOptions options;
+    if (std::ranges::find(arguments, "--quick") != arguments.end()) {
+        options.size = {96, 54};
+        options.turns = {36};
+        options.bits = {64};
+        options.seeds = 2;
+        options.settle = 40;
+        options.frames = 2 * ring_tail;
+        options.reference_paths = 128;
+    }
     std::vector<int> turns, sizes; // given ones replace the paper's
     OptionWords words(arguments);
     const auto count = [&](std::string_view option, int& number, int low, int high) {
@@ -49,6 +60,8 @@ RingOptions parse_ring_options(std::span<const std::string> arguments) {
                {"--reference-paths",
                 [&] { count("--reference-paths", options.reference_paths, 48, 100000000); }},
                {"--fresh", [&] { options.fresh = true; }},
+               {"--keep", [&] { options.keep = true; }},
+               {"--quick", [] {}}, // above, before all others
                {"--set",
                 [&] {
                     const std::string name = words.value();

@@ -23,6 +23,7 @@ struct RingOptions {
     int frames = 60;           // frames after it
     int reference_paths = 512; // per pixel
     bool fresh = false;        // references are made anew
+    bool keep = false;         // a finished report of the same measurement is left as it is
     std::vector<Setting> settings;
     std::string json; // empty: outdir/ring.json
 };

@@ -60,17 +60,22 @@ std::string ring_text(const RingTurn& turn) {
     return text;
 }
 
-std::string ring_csv(const std::vector<RingTurn>& turns) {
+std::string ring_csv(const ordered_json& report) {
     std::string text = "degrees,row,frame,mse,low,high\n";
-    for (const RingTurn& turn : turns) {
-        for (const RingRow& row : turn.rows) {
-            const auto add = [&](std::size_t frame, const Interval& mse) {
-                text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", turn.degrees, row.row.label,
-                                    frame, mse.value, mse.low, mse.high);
+    for (const ordered_json& turn : report["parts"]) {
+        for (const ordered_json& row : turn["rows"]) {
+            const auto add = [&](std::size_t frame, const ordered_json& mse) {
+                text += fmt::format("{},{},{}", turn["degrees"].get<int>(),
+                                    row["label"].get<std::string>(), frame);
+                for (const char* name : {"value", "low", "high"}) {
+                    const ordered_json& number = mse[name];
+                    text += number.is_number() ? fmt::format(",{:.6g}", number.get<double>()) : ",";
+                }
+                text += '\n';
             };
-            add(0, before(row));
-            for (std::size_t frame = 0; frame < row.frames.size(); ++frame)
-                add(frame + 1, in_frame(row, frame));
+            add(0, row["before"]);
+            for (std::size_t frame = 0; frame < row["frames"].size(); ++frame)
+                add(frame + 1, row["frames"][frame]);
         }
     }
     return text;

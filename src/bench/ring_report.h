@@ -32,7 +32,8 @@ Settled settled_after(const RingRow& row);
 int readapted_after(const RingRow& row);
 
 std::string ring_text(const RingTurn& turn);
-std::string ring_csv(const std::vector<RingTurn>& turns);
+/// The table of a report whose parts are ring_json().
+std::string ring_csv(const nlohmann::ordered_json& report);
 nlohmann::ordered_json ring_json(const RingTurn& turn);
 
 } // namespace vigil::bench

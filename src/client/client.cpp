@@ -39,6 +39,7 @@ Client::Client(const ClientParts& parts)
     add_picture_commands(*this);
     add_fly_command(*this);
     add_guiding_commands(*this);
+    add_preset_commands(*this);
     add_demo_commands(*this);
 }
 

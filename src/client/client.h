@@ -135,6 +135,7 @@ void add_view_commands(Client& client);
 void add_picture_commands(Client& client);
 void add_fly_command(Client& client);
 void add_guiding_commands(Client& client);
+void add_preset_commands(Client& client);
 void add_demo_commands(Client& client);
 
 /// bind, unbind, unbindall, bindlist.

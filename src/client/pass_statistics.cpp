@@ -40,10 +40,11 @@ std::string row(const PassSummary& summary) {
 
 } // namespace
 
-size_t PassStatistics::index_of(const std::string& name) {
-    const auto found = std::ranges::find(names_, name);
+size_t PassStatistics::index_of(const refresh::PassTime& pass) {
+    const auto found = std::ranges::find(names_, pass.name);
     if (found != names_.end()) return static_cast<size_t>(found - names_.begin());
-    names_.push_back(name);
+    names_.push_back(pass.name);
+    groups_.push_back(pass.group);
     return names_.size() - 1;
 }
 
@@ -52,7 +53,7 @@ void PassStatistics::add_frame(std::span<const refresh::PassTime> passes) {
     std::vector<Time> frame;
     frame.reserve(passes.size());
     for (const refresh::PassTime& pass : passes) {
-        frame.push_back({index_of(pass.name), static_cast<float>(pass.milliseconds)});
+        frame.push_back({index_of(pass), static_cast<float>(pass.milliseconds)});
     }
     frames_.push_back(std::move(frame));
     if (frames_.size() > capacity) frames_.pop_front();
@@ -77,33 +78,32 @@ std::vector<PassSummary> PassStatistics::summarize() const {
     return summaries;
 }
 
-PassSummary PassStatistics::summarize(const PassGroup& group) const {
+PassSummary PassStatistics::summarize(const PassSum& wanted) const {
     std::vector<double> sums;
     double total = 0.0, of_group = 0.0;
     for (const std::vector<Time>& frame : frames_) {
         double sum = 0.0;
         for (const Time& time : frame) {
             total += time.milliseconds;
-            if (std::ranges::find(group.passes, names_[time.pass]) != group.passes.end())
-                sum += time.milliseconds;
+            if (groups_[time.pass] == wanted.group) sum += time.milliseconds;
         }
         if (sum > 0.0) sums.push_back(sum);
         of_group += sum;
     }
-    PassSummary summary = summary_of(group.name, sums);
+    PassSummary summary = summary_of(wanted.name, sums);
     summary.share = total > 0.0 ? of_group / total : 0.0;
     return summary;
 }
 
-std::string PassStatistics::table(std::span<const PassGroup> groups) const {
+std::string PassStatistics::table(std::span<const PassSum> wanted) const {
     if (frames_.empty()) return "no frames have been timed";
     std::string text = fmt::format("GPU milliseconds over {} frames\n", frames_.size());
     text += fmt::format("{:<24} {:>9} {:>9} {:>9} {:>9} {:>7}\n", "pass", "min", "median", "mean",
                         "p99", "share");
     for (const PassSummary& summary : summarize())
         text += row(summary);
-    for (const PassGroup& group : groups) {
-        if (const PassSummary summary = summarize(group); summary.frames > 0) text += row(summary);
+    for (const PassSum& sum : wanted) {
+        if (const PassSummary summary = summarize(sum); summary.frames > 0) text += row(summary);
     }
 
     std::vector<double> totals;

@@ -24,10 +24,10 @@ struct PassSummary {
     double share = 0.0;
 };
 
-/// Passes that are also reported together, under one name.
-struct PassGroup {
+/// Passes that are also reported together, and the name for that.
+struct PassSum {
+    refresh::PassGroup group;
     std::string name;
-    std::vector<std::string_view> passes;
 };
 
 class PassStatistics {
@@ -44,9 +44,9 @@ public:
     /// count as a time of 0 there.
     std::vector<PassSummary> summarize() const;
     /// The sum of a group's passes in each frame; a frame without any of them does not count.
-    PassSummary summarize(const PassGroup& group) const;
-    /// Lines of text: passes, groups (those that ran), the sum per frame.
-    std::string table(std::span<const PassGroup> groups = {}) const;
+    PassSummary summarize(const PassSum& sum) const;
+    /// Lines of text: passes, sums of groups (those that ran), the sum per frame.
+    std::string table(std::span<const PassSum> sums = {}) const;
 
 private:
     struct Time {
@@ -54,9 +54,10 @@ private:
         float milliseconds = 0.0f;
     };
 
-    size_t index_of(const std::string& name);
+    size_t index_of(const refresh::PassTime& pass);
 
     std::vector<std::string> names_;
+    std::vector<refresh::PassGroup> groups_; // of the passes, as names_
     std::deque<std::vector<Time>> frames_;
 };
 

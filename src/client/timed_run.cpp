@@ -18,14 +18,12 @@ namespace vigil::client {
 namespace {
 
 /// What the paper's figures 11 and 12 put together: preparation, and path tracing by technique.
-std::vector<PassGroup> pass_groups() {
+std::vector<PassSum> pass_sums() {
     const std::string guide = cvar_text(*find_cvar("pt_guide"), cvars().values());
     std::string technique = cvar_text(*find_cvar("pt_nee"), cvars().values());
     if (guide != "brdf") technique += " + " + guide;
-    return {{"= preparation",
-             {"octree_mark", "vlc_deduplicate", "vlc_merge", "cdq_adapt", "octree_adapt",
-              "octree_augment", "shadow_statistics"}},
-            {"= path tracing, " + technique, {"primary", "direct", "indirect"}}};
+    return {{refresh::PassGroup::Preparation, "= preparation"},
+            {refresh::PassGroup::PathTracing, "= path tracing, " + technique}};
 }
 
 nlohmann::ordered_json json_of(const PassSummary& pass) {
@@ -46,7 +44,7 @@ std::string quake_line(size_t frames, double seconds) {
 
 void TimedRun::begin(Session& session) {
     session.take_frame_times(true);
-    groups_ = pass_groups();
+    sums_ = pass_sums();
     begin_ = frames_.size();
     seconds_ = 0.0;
     repetition_statistics_.clear();
@@ -106,14 +104,14 @@ TimedRun::Repetition TimedRun::together() const {
 
 void TimedRun::log_repetition() const {
     log_info("{}", quake_line(finished_.back().frames, finished_.back().seconds));
-    log_info("{}", repetition_statistics_.table(groups_));
+    log_info("{}", repetition_statistics_.table(sums_));
 }
 
 void TimedRun::report(Session& session, const CvarRegistry& variables) const {
     if (finished_.size() > 1) {
         const Repetition all = together();
         log_info("all {} together: {}", finished_.size(), quake_line(all.frames, all.seconds));
-        log_info("{}", statistics_.table(groups_));
+        log_info("{}", statistics_.table(sums_));
     }
     if (pictures_ > 0) {
         log_info("wrote {} pictures, {} and on", pictures_, picture_path(0).string());
@@ -158,8 +156,8 @@ std::string TimedRun::json_text(const Session& session, const std::string& devic
     for (const PassSummary& pass : statistics_.summarize())
         report["passes"].push_back(json_of(pass));
     report["groups"] = ordered_json::array();
-    for (const PassGroup& group : groups_) {
-        const PassSummary sum = statistics_.summarize(group);
+    for (const PassSum& wanted : sums_) {
+        const PassSummary sum = statistics_.summarize(wanted);
         if (sum.frames > 0) report["groups"].push_back(json_of(sum));
     }
     // What guiding counted, means over the run; empty while it was off.

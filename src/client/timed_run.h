@@ -73,7 +73,7 @@ private:
     size_t begin_ = 0;     // its first frame
     std::vector<FrameRecord> frames_;
     std::vector<Repetition> finished_;
-    std::vector<PassGroup> groups_;
+    std::vector<PassSum> sums_;
     PassStatistics repetition_statistics_;
     PassStatistics statistics_;
     CountStatistics counts_{0};

@@ -107,9 +107,17 @@ struct RadiancePicture {
     std::vector<float> rgb;
 };
 
+/// What a pass belongs to in reports, as the paper's figures 11 and 12 have it.
+enum class PassGroup {
+    Other,
+    Preparation, ///< octree, caches, quadtrees
+    PathTracing
+};
+
 struct PassTime {
     std::string name;
     double milliseconds = 0.0;
+    PassGroup group = PassGroup::Other;
 };
 
 /// A number that was counted in a frame, by name: of the octree and the light caches.

@@ -47,9 +47,8 @@ TEST(Intervals, OfAProductAddTheirLogarithms) {
     EXPECT_DOUBLE_EQ(result.value, 6.0);
     EXPECT_DOUBLE_EQ(result.low, 3.0);
     EXPECT_DOUBLE_EQ(result.high, 12.0);
-    const double three_four_five = product({1.0, std::exp(-3.0), std::exp(3.0)},
-                                           {1.0, std::exp(-4.0), std::exp(4.0)})
-                                       .high;
+    const double three_four_five =
+        product({1.0, std::exp(-3.0), std::exp(3.0)}, {1.0, std::exp(-4.0), std::exp(4.0)}).high;
     EXPECT_NEAR(std::log(three_four_five), 5.0, 1e-12);
     EXPECT_TRUE(std::isnan(product({1.0, NAN, NAN}, {1.0, 0.5, 2.0}).low));
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The quality benchmark's command line: rows as data, and messages for what makes no sense.
-#include "bench/quality_options.h"
+#include "bench/plan.h"
 
+#include "bench/quality_estimate.h"
 #include "common/error.h"
 #include "shared/techniques.h"
 
@@ -12,7 +13,7 @@ namespace vigil::bench {
 namespace {
 
 QualityOptions parse(const std::vector<std::string>& words) {
-    return parse_quality_options(words);
+    return quality_plan(words).options;
 }
 
 std::vector<std::string> labels(const QualityOptions& options) {
@@ -25,14 +26,22 @@ std::vector<std::string> labels(const QualityOptions& options) {
 } // namespace
 
 TEST(QualityOptions, EveryTechniqueButBruteIsARow) {
-    const QualityOptions options = parse({});
-    EXPECT_EQ(options.rows.size(), std::size(technique_infos) - 1);
-    for (const QualityRow& row : options.rows) {
+    const std::vector<QualityRow> rows = technique_rows();
+    EXPECT_EQ(rows.size(), std::size(technique_infos) - 1);
+    for (const QualityRow& row : rows) {
         EXPECT_NE(row.label, "brute");
         ASSERT_EQ(row.settings.size(), 1u);
         EXPECT_EQ(row.settings[0].name, "pt_nee");
         EXPECT_EQ(row.settings[0].value, row.label);
     }
+    const QualityRow guided = technique_row("vlc+cdq");
+    ASSERT_EQ(guided.settings.size(), 2u);
+    EXPECT_EQ(guided.settings[0].value, "vlc");
+    EXPECT_EQ(guided.settings[1].name, "pt_guide");
+    EXPECT_THROW(technique_row("magic+cdq"), Error);
+    const QualityOptions options = parse({});
+    EXPECT_GT(options.rows.size(), rows.size());
+    EXPECT_EQ(options.reference.label, "vlc+cdq");
     EXPECT_EQ(options.baseline, "sll");
     EXPECT_EQ(options.levels, (std::vector<std::string>{"warehouse", "mine", "gallery"}));
 }
@@ -88,9 +97,14 @@ TEST(QualityOptions, FloorIsAboutDirectLightUnlessSaidOtherwise) {
 }
 
 TEST(QualityOptions, TheCurveHasNeitherFloorNorPictures) {
+    const auto adapt = [](const std::vector<std::string>& words) {
+        return adapt_plan(words).options;
+    };
     EXPECT_EQ(parse({"--pictures", "out/p"}).pictures, "out/p");
-    EXPECT_THROW(parse({"--curve", "--floor"}), Error);
-    EXPECT_THROW(parse({"--curve", "--pictures", "out/p"}), Error);
+    EXPECT_EQ(adapt({}).measured, Measured::Curve);
+    EXPECT_THROW(adapt({"--floor"}), Error);
+    EXPECT_THROW(adapt({"--pictures", "out/p"}), Error);
+    EXPECT_THROW(adapt({"--frames", std::to_string(settled_tail)}), Error);
 }
 
 } // namespace vigil::bench

@@ -2,6 +2,8 @@
 // The ring experiment's command line, and what its rows set.
 #include "bench/ring_options.h"
 
+#include "bench/plan.h"
+
 #include "common/cvar.h"
 #include "common/error.h"
 
@@ -55,7 +57,7 @@ TEST(RingOptions, NumbersAreCheckedAndOptionsKnown) {
 TEST(QualityOptions, AnyRowRendersReferences) {
     const std::vector<std::string> words{
         "--technique", "sll", "--variant", "g:pt_nee=vlc,pt_guide=cdq", "--reference", "g"};
-    const QualityOptions options = parse_quality_options(words);
+    const QualityOptions options = quality_plan(words).options;
     EXPECT_EQ(options.reference.label, "g");
     ASSERT_EQ(options.reference.settings.size(), 2u);
     EXPECT_EQ(options.reference.settings[1].value, "cdq");

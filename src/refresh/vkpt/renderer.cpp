@@ -345,7 +345,8 @@ void VkptRenderer::finish_slot(size_t slot) {
     for (size_t pass = 0; pass < std::size(pass_names); ++pass) {
         const double milliseconds = frames_[slot].timer().milliseconds(static_cast<uint32_t>(pass));
         if (milliseconds > 0.0)
-            times.passes.push_back({std::string(pass_names[pass]), milliseconds});
+            times.passes.push_back(
+                {std::string(pass_names[pass]), milliseconds, pass_groups[pass]});
     }
     if (slot_frames_[slot].guided) {
         guiding_work_ = guiding_.statistics(slot);

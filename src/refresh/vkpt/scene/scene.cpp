@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/scene/scene.h"
 
+#include "common/cvar.h"
 #include "common/error.h"
 #include "common/file_system.h"
 #include "common/log.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
 #include "refresh/vkpt/scene/particle_geometry.h"
 #include "refresh/vkpt/scene/transform.h"
+#include "refresh/vkpt/scene/subdivide.h"
 #include "refresh/vkpt/scene/world_geometry.h"
 #include "world/level.h"
 
@@ -49,6 +51,7 @@ Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr
       textures_(std::make_unique<TextureSet>(files)),
       materials_(std::make_unique<MaterialSet>(files, *textures_)) {
     ModelGeometry world = brush_model_geometry(*level_, 0, *materials_);
+    subdivide(world, cvars()->pt_subdivide);
     lights_ = LightSet(world.lights);
     place_model("*0", std::move(world), Deforms::No);
     read_sky();

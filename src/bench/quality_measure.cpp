@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The order of events: for every view all frames of all rows, then a reference that is good enough
 // for the best of them, then the errors.
-#include "bench/quality_bench.h"
+#include "bench/quality_measure.h"
 
-#include "bench/quality_progress.h"
-#include "bench/quality_renderer.h"
-#include "bench/quality_report.h"
 #include "client/picture_file.h"
-#include "common/cvar.h"
 #include "common/error.h"
-#include "common/log.h"
-#include "common/output.h"
 #include "refresh/vkpt/passes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace vigil::bench {
@@ -27,21 +20,6 @@ constexpr int least_batches = 6;
 
 using Run = std::vector<std::vector<float>>;    // a picture per frame
 using Pictures = std::vector<std::vector<Run>>; // [row][seed]
-
-/// Clamped settings and missing textures must be seen; what levels contain need not.
-class WarningLog {
-public:
-    WarningLog()
-        : sink_(add_log_sink([](Severity severity, std::string_view line) {
-              if (severity != Severity::Info) fmt::print(stderr, "{}\n", line);
-          })) {}
-    ~WarningLog() { remove_log_sink(sink_); }
-    WarningLog(const WarningLog&) = delete;
-    WarningLog& operator=(const WarningLog&) = delete;
-
-private:
-    int sink_;
-};
 
 /// The smallest mean error of a row's pictures.
 double smallest_mse(const Pictures& pictures, const Reference& reference) {
@@ -111,26 +89,19 @@ std::string write_pictures(const QualityOptions& options, const std::string& lev
     return folder.string();
 }
 
-double sum_of_passes(const Measurement& measured, vkpt::Pass first, vkpt::Pass last) {
-    double sum = 0.0;
-    for (auto pass = static_cast<std::size_t>(first); pass <= static_cast<std::size_t>(last);
-         ++pass)
-        sum += measured.pass_ms[pass];
-    return sum;
-}
-
 void add_measurement(RowResult& row, const Measurement& measured) {
     row.unlit.back().push_back(measured.unlit);
     row.explored.back().push_back(measured.explored);
     row.frame_ms.back().push_back(measured.frame_ms);
-    for (std::size_t pass = 0; pass < measured.pass_ms.size(); ++pass)
-        row.pass_ms[pass].back().push_back(measured.pass_ms[pass]);
-    // Between the copies to the device and the camera rays lie the passes of guiding.
-    const auto after_upload = static_cast<vkpt::Pass>(static_cast<int>(vkpt::Pass::Upload) + 1);
-    const auto before_rays = static_cast<vkpt::Pass>(static_cast<int>(vkpt::Pass::Primary) - 1);
-    row.prepare_ms.back().push_back(sum_of_passes(measured, after_upload, before_rays));
-    row.path_ms.back().push_back(
-        sum_of_passes(measured, vkpt::Pass::Primary, vkpt::Pass::Indirect));
+    double prepare_ms = 0.0, path_ms = 0.0;
+    for (std::size_t pass = 0; pass < measured.pass_ms.size(); ++pass) {
+        const double pass_ms = measured.pass_ms[pass];
+        row.pass_ms[pass].back().push_back(pass_ms);
+        if (vkpt::pass_groups[pass] == refresh::PassGroup::Preparation) prepare_ms += pass_ms;
+        if (vkpt::pass_groups[pass] == refresh::PassGroup::PathTracing) path_ms += pass_ms;
+    }
+    row.prepare_ms.back().push_back(prepare_ms);
+    row.path_ms.back().push_back(path_ms);
 }
 
 void begin_view(RowResult& row) {
@@ -143,8 +114,10 @@ void begin_view(RowResult& row) {
         strata.emplace_back();
 }
 
-LevelResult measure_level(const QualityOptions& options, QualityRenderer& renderer,
-                          const std::string& level, Progress& progress) {
+} // namespace
+
+LevelResult measure_errors(const QualityOptions& options, QualityRenderer& renderer,
+                           const std::string& level, Progress& progress) {
     LevelResult result{level, {}, {}, 0};
     for (const QualityRow& row : options.rows)
         result.rows.emplace_back().row = row;
@@ -199,15 +172,14 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
                           const std::string& level, Progress& progress) {
     CurveResult result{level, {}, {}};
     for (const QualityRow& row : options.rows)
-        result.rows.push_back({row, std::vector<Strata>(options.curve_frames),
-                               std::vector<Strata>(options.curve_frames)});
+        result.rows.push_back(
+            {row, std::vector<Strata>(options.frames), std::vector<Strata>(options.frames)});
     for (const Place& place : renderer.places()) {
         Pictures pictures(options.rows.size());
         for (int seed = 0; seed < options.seeds; ++seed) {
             for (std::size_t row = 0; row < options.rows.size(); ++row) {
                 renderer.begin_run(options.rows[row], options.first_seed + seed);
-                pictures[row].push_back(
-                    renderer.stand_still(place.measured(), options.curve_frames));
+                pictures[row].push_back(renderer.stand_still(place.measured(), options.frames));
                 progress.advance(
                     fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
             }
@@ -220,7 +192,7 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
         Reference reference(last[0][0][0].size());
         result.views.push_back(make_reference(options, renderer, place, progress, reference, last));
         for (std::size_t row = 0; row < options.rows.size(); ++row) {
-            for (int frame = 0; frame < options.curve_frames; ++frame) {
+            for (int frame = 0; frame < options.frames; ++frame) {
                 std::vector<double>& mse = result.rows[row].mse[frame].emplace_back();
                 std::vector<double>& trimmed = result.rows[row].trimmed_mse[frame].emplace_back();
                 for (const Run& run : pictures[row]) {
@@ -232,51 +204,6 @@ CurveResult measure_curve(const QualityOptions& options, QualityRenderer& render
         }
     }
     return result;
-}
-
-} // namespace
-
-int run_quality_bench(std::span<const std::string> arguments) {
-    const WarningLog warnings;
-    cvars().set("pt_jitter", "0"); // references show the pixels that single frames show
-    const QualityOptions options = parse_quality_options(arguments);
-    for (const Setting& setting : options.settings)
-        cvars().set(setting.name, setting.value);
-    const std::filesystem::path path =
-        options.json.empty() ? output_path(options.curve ? "quality_curve.json" : "quality.json")
-                             : std::filesystem::path(options.json);
-
-    nlohmann::ordered_json report;
-    Progress progress(options);
-    int failures = 0;
-    for (const std::string& level : options.levels) {
-        try {
-            progress.begin(level);
-            QualityRenderer renderer(options, level);
-            if (report.empty()) {
-                report = settings_json(options, renderer.device());
-                fmt::print("{}\n", renderer.device());
-            }
-            if (options.curve) {
-                const CurveResult result = measure_curve(options, renderer, level, progress);
-                fmt::print("{}", curve_text(options, result));
-                report["levels"].push_back(curve_json(result));
-            } else {
-                const LevelResult result = measure_level(options, renderer, level, progress);
-                fmt::print("{}", quality_text(options, result));
-                report["levels"].push_back(quality_json(options, result));
-            }
-        } catch (const Error& error) {
-            fmt::print(stderr, "{}: {}\n", level, error.what());
-            progress.skip_level();
-            ++failures;
-        }
-        // After every level, so that an interrupted run leaves what it has.
-        std::fflush(stdout);
-        if (report.contains("levels")) write_file(path, report.dump(1) + "\n");
-    }
-    if (report.contains("levels")) fmt::print("\nreport: {}\n", path.string());
-    return failures == 0 ? 0 : 1;
 }
 
 } // namespace vigil::bench

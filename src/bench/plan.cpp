@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the experiments measure when nothing else is said. Sizes and repeats are such that all of
+// them together take less than three hours on two cores without a GPU, and each --quick one less
+// than two minutes.
+#include "bench/plan.h"
+
+#include "common/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vigil::bench {
+
+namespace {
+
+std::vector<QualityRow> rows_of(std::initializer_list<std::string_view> names) {
+    std::vector<QualityRow> rows;
+    for (const std::string_view name : names)
+        rows.push_back(technique_row(name));
+    return rows;
+}
+
+/// Small pictures of one level.
+QualityOptions quick(QualityOptions options) {
+    options.levels = {"warehouse"};
+    options.views = std::min(options.views, 2);
+    options.seeds = std::min(options.seeds, 3);
+    options.warmup = 8;
+    options.size = {160, 90};
+    options.reference_paths = 256;
+    return options;
+}
+
+/// Parts named after their levels.
+std::vector<Part> level_parts(const QualityOptions& options) {
+    std::vector<Part> parts;
+    for (const std::string& level : options.levels)
+        parts.push_back({level, level, options, "", 0.0});
+    return parts;
+}
+
+} // namespace
+
+void select_parts(Plan& plan) {
+    if (plan.options.parts.empty()) return;
+    std::string names;
+    for (const Part& part : plan.parts)
+        names += (names.empty() ? "" : ", ") + part.name;
+    std::erase_if(plan.parts, [&](const Part& part) {
+        return std::ranges::none_of(plan.options.parts, [&](const std::string& wanted) {
+            return part.name.starts_with(wanted);
+        });
+    });
+    if (plan.parts.empty()) fail("--part: there is no such part; there are {}", names);
+}
+
+Plan quality_plan(std::span<const std::string> arguments) {
+    QualityOptions options;
+    options.levels = {"warehouse", "mine", "gallery"};
+    options.seeds = 4;
+    options.rows = technique_rows();
+    // The paper's figure 8 has these with both kinds of rays.
+    for (const QualityRow& row : rows_of({"sll+cdq", "lh+cdq", "vlc+cdq"}))
+        options.rows.push_back(row);
+    Plan plan{"quality", parse_quality_options(arguments, {options, quick(options)}), {}};
+    plan.parts = level_parts(plan.options);
+    return plan;
+}
+
+Plan adapt_plan(std::span<const std::string> arguments) {
+    QualityOptions options;
+    options.measured = Measured::Curve;
+    options.levels = {"warehouse", "gallery"};
+    options.rows = rows_of({"sll", "vlc", "vlc+cdq"});
+    options.views = 2;
+    options.frames = 24;
+    Plan plan{"adapt", parse_quality_options(arguments, {options, quick(options)}), {}};
+    plan.parts = level_parts(plan.options);
+    return plan;
+}
+
+Plan timing_plan(std::span<const std::string> arguments) {
+    QualityOptions options;
+    options.measured = Measured::Times;
+    options.levels = {"warehouse", "mine", "gallery"};
+    options.rows = rows_of({"lh", "sll", "vlc", "vlc+cdq"});
+    options.views = 1;
+    options.seeds = 3;
+    options.warmup = 80;
+    QualityOptions small = quick(options);
+    small.warmup = 20;
+    Plan plan{"timing", parse_quality_options(arguments, {options, small}), {}};
+    plan.parts = level_parts(plan.options);
+    return plan;
+}
+
+Plan scale_plan(std::span<const std::string> arguments) {
+    QualityOptions options;
+    options.levels = {"warehouse"}; // of resolutions and triangles
+    options.rows = rows_of({"sll", "lh", "ris", "vlc"});
+    options.views = 2;
+    options.seeds = 2;
+    options.reference_paths = 256;
+    QualityOptions small = quick(options);
+    small.views = 1;
+    small.reference_paths = 64;
+    Plan plan{"scale", parse_quality_options(arguments, {options, small}), {}};
+    const bool is_quick = std::ranges::find(arguments, "--quick") != arguments.end();
+    const auto add = [&](const std::string& level, std::string_view axis, double value) -> Part& {
+        return plan.parts.emplace_back(Part{fmt::format("{} {} {}", axis, level, value), level,
+                                            plan.options, std::string(axis), value});
+    };
+    for (const int lights : {10, 100, 1000, 10000, 100000}) {
+        if (is_quick && lights != 10 && lights != 1000) continue;
+        add(fmt::format("many_{}", lights), "lights", lights);
+    }
+    for (const std::string& level : plan.options.levels) {
+        for (const int height : {90, 180, 360, 720, 1080}) {
+            if (is_quick && height > 180) continue;
+            Part& part = add(level, "resolution", height);
+            part.options.size = {height * 16 / 9, height};
+            // The work of all sizes is to be alike, as far as can be: what large pictures have more
+            // of pixels they need less of repeats.
+            if (height < 720) continue;
+            part.options.views = 1;
+            part.options.warmup = std::min(part.options.warmup, 8);
+            part.options.reference_paths = 64;
+        }
+        for (const int halvings : {0, 1, 2}) {
+            if (is_quick && halvings == 1) continue;
+            Part& part = add(level, "triangles", 1 << 2 * halvings);
+            part.options.settings.push_back({"pt_subdivide", std::to_string(halvings)});
+        }
+    }
+    return plan;
+}
+
+} // namespace vigil::bench

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// An experiment as a list of parts, each a level and how it is measured: what `quality`, `adapt`,
+// `timing`, `scale` and `trade` are. All share options, progress, references, and the report that
+// is continued after an interruption.
+#pragma once
+
+#include "bench/quality_options.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vigil::bench {
+
+struct Part {
+    std::string name; // unique in its plan
+    std::string level;
+    QualityOptions options; // with the settings of this part; `levels` is of no importance
+    std::string axis;       // what grows from part to part; empty: nothing does
+    double value = 0.0;     // of what grows
+};
+
+struct Plan {
+    std::string name;       // of the report
+    QualityOptions options; // of the command line
+    std::vector<Part> parts;
+};
+
+/// One part per level. Errors of single frames: techniques with and without guided rays.
+Plan quality_plan(std::span<const std::string> arguments);
+/// Errors by frame from an empty cache, as the paper's figure 9.
+Plan adapt_plan(std::span<const std::string> arguments);
+/// Times of every frame of a camera route by pass, as the paper's figures 11 and 12.
+Plan timing_plan(std::span<const std::string> arguments);
+/// Cost and error against the number of lights, of pixels and of triangles.
+Plan scale_plan(std::span<const std::string> arguments);
+/// What every variable buys and costs: rows are values of one variable, parts are levels and
+/// variables. The table is in trade_plan.cpp.
+Plan trade_plan(std::span<const std::string> arguments);
+
+/// Drops the parts that --part leaves out. Throws Error, which names all, when none is left.
+void select_parts(Plan& plan);
+
+/// Measures what the report does not have yet; prints tables to stdout, progress to stderr; writes
+/// NAME.json and NAME.csv. Returns the program's exit status: 1 when a part failed.
+int run_plan(const Plan& plan);
+
+} // namespace vigil::bench

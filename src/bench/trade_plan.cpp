@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The sweep: one table of variables that trade time for error, and the values that are tried.
+#include "bench/plan.h"
+
+#include "client/preset.h"
+#include "common/cvar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace vigil::bench {
+
+namespace {
+
+/// A variable, the technique that it is tried with, and the values besides the default. Where one
+/// value needs another variable to follow it, `also` is "NAME" and takes the value times `factor`.
+struct Sweep {
+    std::string_view variable;
+    std::string_view technique;
+    std::vector<std::string_view> values;
+    std::string_view also = {};
+    double factor = 1.0;
+};
+
+const std::vector<Sweep>& sweeps() {
+    static const std::vector<Sweep> table = {
+        {"pt_spp", "vlc", {"2", "4"}},
+        {"pt_light_points", "vlc", {"1", "2", "4", "16"}},
+        {"pt_light_density", "vlc", {"area", "solid_angle"}},
+        {"pt_sll_max", "sll", {"8", "16", "64", "256"}},
+        {"pt_sll_mass", "sll", {"solid_angle"}},
+        {"pt_sll_stats", "sll", {"1"}},
+        {"pt_ris_candidates", "ris", {"8", "16", "64"}},
+        {"pt_lh_width", "lh", {"2", "4"}},
+        {"pt_lh_leaf", "lh", {"1", "4"}},
+        // What the paper calls threshold; nodes collapse at half of it.
+        {"pt_oct_split", "vlc", {"256", "512", "1024", "2048", "8192"}, "pt_oct_collapse", 0.5},
+        {"pt_vlc_bucket", "vlc", {"8", "16", "64"}},
+        // Of itself, as the paper: pt_vlc_adapt 0.
+        {"pt_vlc_explore", "vlc", {"0.01", "0.1", "0.2", "0.5"}},
+        {"pt_vlc_adapt", "vlc", {"0"}},
+        {"pt_vlc_hysteresis", "vlc", {"0.5", "1"}},
+        {"pt_vlc_merge", "vlc", {"0"}},
+        {"pt_vlc_persist", "vlc", {"0", "4", "30"}},
+        {"pt_explore_local", "vlc", {"0", "0.5", "1"}},
+        {"pt_explore_energy", "vlc", {"0"}},
+        {"pt_explore_change", "vlc", {"0"}},
+        {"pt_explore_distance", "vlc", {"0"}},
+        {"pt_cdq_bits", "vlc+cdq", {"32", "64", "96"}},
+        {"pt_cdq_brdf", "vlc+cdq", {"0.1", "0.25", "0.75"}},
+        {"pt_cdq_margin", "vlc+cdq", {"0.1", "0.5"}},
+        {"pt_cdq_rays", "vlc+cdq", {"0", "128", "2048"}},
+        {"pt_cdq_migrations", "vlc+cdq", {"1", "16"}},
+    };
+    return table;
+}
+
+/// "NAME=VALUE" with the variables of its technique.
+QualityRow sweep_row(const Sweep& sweep, std::string_view value) {
+    QualityRow row = technique_row(sweep.technique);
+    row.label = fmt::format("{}={}", sweep.variable, value);
+    row.settings.push_back({std::string(sweep.variable), std::string(value)});
+    if (!sweep.also.empty())
+        row.settings.push_back({std::string(sweep.also),
+                                fmt::format("{:g}", sweep.factor * std::stod(std::string(value)))});
+    return row;
+}
+
+std::vector<QualityRow> preset_rows() {
+    std::vector<QualityRow> rows;
+    for (const client::Preset& preset : client::presets()) {
+        QualityRow& row = rows.emplace_back(QualityRow{fmt::format("preset {}", preset.name), {}});
+        for (const client::PresetSetting& setting : preset.settings)
+            row.settings.push_back({std::string(setting.variable), std::string(setting.value)});
+    }
+    return rows;
+}
+
+} // namespace
+
+Plan trade_plan(std::span<const std::string> arguments) {
+    QualityOptions options;
+    options.levels = {"warehouse", "mine", "gallery"};
+    options.rows = {technique_row("vlc")}; // what all parts are compared with
+    options.views = 2;
+    options.seeds = 2;
+    options.reference_paths = 512;
+    QualityOptions quick = options;
+    quick.levels = {"warehouse"};
+    quick.views = 1;
+    quick.seeds = 1;
+    quick.warmup = 4;
+    quick.size = {96, 54};
+    quick.reference_paths = 64;
+    Plan plan{"trade", parse_quality_options(arguments, {options, quick}), {}};
+    const auto add = [&](const std::string& level, std::string_view name,
+                         std::vector<QualityRow> rows) {
+        Part part{fmt::format("{} {}", level, name), level, plan.options, "", 0.0};
+        for (QualityRow& row : rows) {
+            const auto same = [&](const QualityRow& known) { return known.label == row.label; };
+            if (std::ranges::none_of(part.options.rows, same))
+                part.options.rows.push_back(std::move(row));
+        }
+        plan.parts.push_back(std::move(part));
+    };
+    for (const std::string& level : plan.options.levels) {
+        std::vector<QualityRow> techniques = technique_rows();
+        for (const std::string_view name : {"sll+cdq", "lh+cdq", "vlc+cdq"})
+            techniques.push_back(technique_row(name));
+        add(level, "techniques", std::move(techniques));
+        add(level, "presets", preset_rows());
+        for (const Sweep& sweep : sweeps()) {
+            std::vector<QualityRow> rows = {technique_row(sweep.technique)};
+            for (const std::string_view value : sweep.values)
+                rows.push_back(sweep_row(sweep, value));
+            add(level, sweep.variable, std::move(rows));
+        }
+    }
+    return plan;
+}
+
+} // namespace vigil::bench

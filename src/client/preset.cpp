@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "client/preset.h"
+
+#include <algorithm>
+
+namespace vigil::client {
+
+std::span<const Preset> presets() {
+    static const std::vector<Preset> table = {
+        {"fast",
+         "the least time for a frame",
+         {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "1"}}},
+        {"balanced",
+         "the least error for the time",
+         {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "8"}}},
+        {"accurate",
+         "little error where light is hard to find, too; frames take several times as long",
+         {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "4"}, {"pt_light_points", "8"}}},
+    };
+    return table;
+}
+
+const Preset* present_preset(const CvarRegistry& variables) {
+    for (const Preset& preset : presets())
+        if (std::ranges::all_of(preset.settings, [&](const PresetSetting& setting) {
+                return variables.get_text(setting.variable) == setting.value;
+            }))
+            return &preset;
+    return nullptr;
+}
+
+} // namespace vigil::client

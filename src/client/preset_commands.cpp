@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The console command pt_preset.
+#include "client/arguments.h"
+#include "client/client.h"
+#include "client/preset.h"
+#include "common/error.h"
+#include "common/log.h"
+
+#include <algorithm>
+
+namespace vigil::client {
+
+namespace {
+
+std::vector<std::string> preset_names(CommandArguments arguments) {
+    std::vector<std::string> names;
+    if (!arguments.empty()) return names;
+    for (const Preset& preset : presets())
+        names.emplace_back(preset.name);
+    return names;
+}
+
+void list_presets(const CvarRegistry& variables) {
+    const Preset* present = present_preset(variables);
+    for (const Preset& preset : presets()) {
+        std::string settings;
+        for (const PresetSetting& setting : preset.settings)
+            settings += fmt::format(" {} {}", setting.variable, setting.value);
+        log_info("{} {:<9} {}:{}", &preset == present ? '*' : ' ', preset.name, preset.purpose,
+                 settings);
+    }
+}
+
+void set_preset(Client& client, CommandArguments arguments) {
+    check_count(arguments, 0, 1, "pt_preset [NAME]");
+    if (arguments.empty()) return list_presets(client.commands().variables());
+    const auto preset = std::ranges::find(presets(), arguments[0], &Preset::name);
+    if (preset == presets().end())
+        fail("there is no preset \"{}\"; there are {}", arguments[0],
+             fmt::join(preset_names({}), ", "));
+    for (const PresetSetting& setting : preset->settings)
+        client.commands().set_variable(setting.variable, std::string(setting.value));
+}
+
+} // namespace
+
+void add_preset_commands(Client& client) {
+    client.commands().add(
+        "pt_preset", "[NAME]: speed against accuracy: fast, balanced or accurate; alone, a list",
+        [&client](CommandArguments arguments) { set_preset(client, arguments); }, preset_names);
+}
+
+} // namespace vigil::client

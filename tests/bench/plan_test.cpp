@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What experiments consist of, and reports that go on after an interruption.
+#include "bench/checkpoint.h"
+#include "bench/plan.h"
+#include "bench/plan_csv.h"
+#include "client/preset.h"
+#include "common/cvar.h"
+#include "common/error.h"
+#include "common/output.h"
+#include "common/scratch_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace vigil::bench {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+const auto plans = {&quality_plan, &adapt_plan, &timing_plan, &scale_plan, &trade_plan};
+
+/// Sets and reads back: a name that exists, a value in its range.
+void expect_value(const Setting& setting) {
+    CvarRegistry variables;
+    ASSERT_TRUE(find_cvar(setting.name)) << setting.name;
+    variables.set(setting.name, setting.value);
+    EXPECT_EQ(std::stod("0" + variables.get_text(setting.name)), std::stod("0" + setting.value))
+        << setting.name;
+}
+
+} // namespace
+
+TEST(Plan, PartsHaveNamesOfTheirOwnAndRowsThatExist) {
+    for (const auto& make : plans) {
+        for (const Words& words : {Words{}, Words{"--quick"}}) {
+            const Plan plan = make(words);
+            std::set<std::string> names;
+            ASSERT_FALSE(plan.parts.empty()) << plan.name;
+            for (const Part& part : plan.parts) {
+                EXPECT_TRUE(names.insert(part.name).second) << plan.name << ' ' << part.name;
+                std::set<std::string> labels;
+                for (const QualityRow& row : part.options.rows) {
+                    EXPECT_TRUE(labels.insert(row.label).second) << part.name << ' ' << row.label;
+                    for (const Setting& setting : row.settings)
+                        expect_value(setting);
+                }
+                EXPECT_TRUE(labels.contains(part.options.baseline)) << part.name;
+            }
+        }
+    }
+}
+
+TEST(Plan, PartsAreChosenByTheBeginningsOfTheirNames) {
+    Plan plan = scale_plan(Words{"--part", "lights", "--part", "triangles warehouse 1"});
+    select_parts(plan);
+    EXPECT_EQ(plan.parts.front().name, "lights many_10 10");
+    EXPECT_EQ(plan.parts.back().name, "triangles warehouse 16");
+    Plan none = quality_plan(Words{"--part", "cellar"});
+    try {
+        select_parts(none);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("gallery"), std::string::npos);
+    }
+}
+
+TEST(Plan, TheDefaultIsAmongWhatIsTried) {
+    // Each sweep has the row of its technique, whose variables are at their defaults.
+    for (const Part& part : trade_plan({}).parts) {
+        if (part.name.find(" pt_") == std::string::npos) continue;
+        int defaults = 0;
+        for (const QualityRow& row : part.options.rows)
+            defaults += row.label.find('=') == std::string::npos;
+        EXPECT_GE(defaults, 1) << part.name;
+        for (const QualityRow& row : part.options.rows)
+            for (const Setting& setting : row.settings) {
+                if (row.label != setting.name + "=" + setting.value) continue;
+                EXPECT_NE(cvar_default_text(*find_cvar(setting.name)), setting.value)
+                    << row.label << " is the default";
+            }
+    }
+}
+
+TEST(Presets, SetTheSameVariablesAndAreTold) {
+    std::set<std::string_view> variables;
+    for (const client::PresetSetting& setting : client::presets().front().settings)
+        variables.insert(setting.variable);
+    for (const client::Preset& preset : client::presets()) {
+        std::set<std::string_view> own;
+        CvarRegistry values;
+        for (const client::PresetSetting& setting : preset.settings) {
+            own.insert(setting.variable);
+            values.set(setting.variable, std::string(setting.value));
+        }
+        EXPECT_EQ(own, variables) << preset.name;
+        EXPECT_EQ(client::present_preset(values), &preset);
+        values.set("pt_spp", "7");
+        EXPECT_EQ(client::present_preset(values), nullptr);
+    }
+}
+
+TEST(Checkpoint, GoesOnWithWhatAnInterruptionLeft) {
+    const test::ScratchFolder folder;
+    const std::filesystem::path path = folder.path() / "report.json";
+    const nlohmann::ordered_json head = {{"measured", "x"}, {"seeds", 3}};
+    {
+        Checkpoint first(path, head, false);
+        first.add("a", {{"value", 1}});
+    }
+    {
+        Checkpoint second(path, head, false);
+        ASSERT_NE(second.find("a"), nullptr);
+        EXPECT_EQ((*second.find("a"))["value"], 1);
+        EXPECT_EQ(second.find("b"), nullptr);
+        second.add("b", {{"value", 2}});
+        second.finish();
+    }
+    // Finished: another run measures anew, unless it is to be kept.
+    EXPECT_EQ(Checkpoint(path, head, false).find("a"), nullptr);
+    EXPECT_NE(Checkpoint(path, head, true).find("b"), nullptr);
+    // Another measurement is another report.
+    EXPECT_EQ(Checkpoint(path, {{"measured", "x"}, {"seeds", 4}}, true).find("a"), nullptr);
+    // A damaged one is none.
+    write_file(path, "{\"measured\": \"x\", ");
+    EXPECT_EQ(Checkpoint(path, head, true).find("a"), nullptr);
+}
+
+TEST(PlanCsv, HasALineForEveryMeasureAndFrame) {
+    const nlohmann::ordered_json report = {
+        {"parts",
+         {{{"part", "a, \"b\""},
+           {"level", "warehouse"},
+           {"width", 320},
+           {"height", 180},
+           {"rows",
+            {{{"label", "sll"},
+              {"mse",
+               {{"value", 0.5},
+                {"low", nullptr},
+                {"high", 1.0},
+                {"ratio", {{"value", 1.0}, {"low", 1.0}, {"high", 1.0}}}}},
+              {"path_ms", {{"frames", {2.0, 3.0}}}}}}}}}}};
+    EXPECT_EQ(plan_csv(report),
+              "part,level,width,height,triangles,lights,row,measure,frame,value,low,high\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse,,0.5,,1\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse.ratio,,1,1,1\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,1,2,,\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,2,3,,\n");
+}
+
+} // namespace vigil::bench
