@@ -7,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace vigil::bench {
 
 namespace {
@@ -83,7 +80,7 @@ std::vector<QualityRow> preset_rows() {
 Plan trade_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.levels = {"warehouse", "mine", "gallery"};
-    options.rows = {technique_row("vlc")}; // what all parts are compared with
+    options.rows = {technique_row("vlc")}; // what techniques and presets are compared with
     options.views = 2;
     options.seeds = 2;
     options.reference_paths = 512;
@@ -95,27 +92,26 @@ Plan trade_plan(std::span<const std::string> arguments) {
     quick.size = {96, 54};
     quick.reference_paths = 64;
     Plan plan{"trade", parse_quality_options(arguments, {options, quick}), {}};
-    const auto add = [&](const std::string& level, std::string_view name,
-                         std::vector<QualityRow> rows) {
+    const auto add = [&](const std::string& level, std::string_view name, std::string_view baseline,
+                         const std::vector<QualityRow>& rows) {
         Part part{fmt::format("{} {}", level, name), level, plan.options, "", 0.0};
-        for (QualityRow& row : rows) {
-            const auto same = [&](const QualityRow& known) { return known.label == row.label; };
-            if (std::ranges::none_of(part.options.rows, same))
-                part.options.rows.push_back(std::move(row));
-        }
+        part.options.baseline = baseline;
+        part.options.rows = {technique_row(baseline)};
+        for (const QualityRow& row : rows)
+            if (row.label != baseline) part.options.rows.push_back(row);
         plan.parts.push_back(std::move(part));
     };
     for (const std::string& level : plan.options.levels) {
         std::vector<QualityRow> techniques = technique_rows();
         for (const std::string_view name : {"sll+cdq", "lh+cdq", "vlc+cdq"})
             techniques.push_back(technique_row(name));
-        add(level, "techniques", std::move(techniques));
-        add(level, "presets", preset_rows());
+        add(level, "techniques", plan.options.baseline, techniques);
+        add(level, "presets", plan.options.baseline, preset_rows());
         for (const Sweep& sweep : sweeps()) {
-            std::vector<QualityRow> rows = {technique_row(sweep.technique)};
+            std::vector<QualityRow> rows;
             for (const std::string_view value : sweep.values)
                 rows.push_back(sweep_row(sweep, value));
-            add(level, sweep.variable, std::move(rows));
+            add(level, sweep.variable, sweep.technique, rows);
         }
     }
     return plan;
