@@ -28,7 +28,7 @@ QualityOptions quick(QualityOptions options) {
     options.seeds = std::min(options.seeds, 3);
     options.warmup = 8;
     options.size = {160, 90};
-    options.reference_paths = 256;
+    options.reference_paths = 128;
     return options;
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs quality_report.py in a virtual environment that has what it needs (requirements.txt)."""
+"""Runs page.py in a virtual environment that has what it needs (requirements.txt)."""
 
 import sys
 from pathlib import Path
@@ -11,4 +11,4 @@ sys.path.insert(0, str(HERE.parent))
 from python_environment import run_with
 
 if __name__ == "__main__":
-    sys.exit(run_with(HERE / "requirements.txt", "report", "what reports need", HERE / "quality_report.py", sys.argv[1:]))
+    sys.exit(run_with(HERE / "requirements.txt", "report", "what reports need", HERE / "page.py", sys.argv[1:]))

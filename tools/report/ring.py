@@ -1,37 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draws error over frames after a turn of the lamp, after figure 10 of the paper, from the report of `run bench ring`: a row
-per turn, a column per size of quadtree. It computes nothing: means and intervals are those of the report."""
+per turn, a column per size of quadtree."""
 
-import argparse
-import json
-from pathlib import Path
-
-import matplotlib
-
-matplotlib.use("Agg")
 from matplotlib import pyplot
+
+import drawing
 
 
 def draw_curve(axes, row, color, label):
     values = [row["before"]] + row["frames"]
-    frames = range(len(values))
-    axes.plot(frames, [value["value"] for value in values], color=color, label=label)
-    # Intervals without an end (one seed) are not drawn.
-    if all(value["low"] is not None and value["high"] is not None for value in values):
-        axes.fill_between(frames, [value["low"] for value in values], [value["high"] for value in values],
-                          color=color, alpha=0.2, linewidth=0)
+    axes.plot(range(len(values)), drawing.numbers(values), color=color, label=label)
+    drawing.fill(axes, range(len(values)), values, color)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("report", type=Path, help="ring.json")
-    parser.add_argument("--out", type=Path, help="picture; default: beside the report")
-    arguments = parser.parse_args()
-    report = json.loads(arguments.report.read_text())
-    if report["measured"] != "ring":
-        parser.error(f"{arguments.report} is no report of `run bench ring`")
-    turns = report["turns"]
+def draw(report):
+    turns = report["parts"]
     sizes = [row for row in turns[0]["rows"] if row["label"] != "brdf"]
     figure, grid = pyplot.subplots(len(turns), len(sizes), figsize=(2.6 * len(sizes), 2.3 * len(turns)), sharex=True,
                                    sharey=True, squeeze=False, layout="constrained")
@@ -48,10 +32,8 @@ def main():
     for axes in grid[-1]:
         axes.set_xlabel("frames after the turn")
     grid[0][0].legend(fontsize=8)
-    path = arguments.out or arguments.report.with_suffix(".png")
-    figure.savefig(path, dpi=120)
-    print(path)
+    yield "ring", figure
 
 
 if __name__ == "__main__":
-    main()
+    drawing.main(__doc__, "ring", draw)

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Every experiment from the command line to its report, in its --quick form, and an interruption in
+// the midst of one.
+#include "common/scratch_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace vigil::bench {
+
+namespace {
+
+using nlohmann::json;
+
+class Experiments : public testing::Test {
+protected:
+    std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+
+    /// Starts vigil_bench; what it prints goes to NAME.txt.
+    pid_t start(const std::string& name, const std::vector<std::string>& more) const {
+        std::vector<std::string> words = {VIGIL_BENCH, name,
+                                          "--quick",   "--set",
+                                          "outdir",    folder_.path().string(),
+                                          "--seeds",   "1",
+                                          "--json",    file(name + ".json").string()};
+        words.insert(words.end(), more.begin(), more.end());
+        const pid_t child = fork();
+        if (child != 0) return child;
+        const std::string log = file(name + ".txt").string();
+        if (!std::freopen(log.c_str(), "w", stdout)) _exit(127);
+        std::vector<char*> pointers;
+        for (std::string& word : words)
+            pointers.push_back(word.data());
+        pointers.push_back(nullptr);
+        execv(VIGIL_BENCH, pointers.data());
+        _exit(127);
+    }
+
+    static int status_of(pid_t child) {
+        int status = 0;
+        waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+
+    int run(const std::string& name, const std::vector<std::string>& more = {}) const {
+        return status_of(start(name, more));
+    }
+
+    std::string text_of(const std::string& name) const {
+        std::ifstream stream(file(name));
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    json report_of(const std::string& name) const {
+        const json report = json::parse(text_of(name + ".json"), nullptr, false);
+        return report.is_object() ? report : json::object(); // nothing is there yet
+    }
+
+    /// Runs an experiment and checks what all reports have in common.
+    json measure(const std::string& name, const std::vector<std::string>& more = {}) const {
+        EXPECT_EQ(run(name, more), 0) << text_of(name + ".txt");
+        const json report = report_of(name);
+        EXPECT_TRUE(report.is_object()) << name;
+        EXPECT_EQ(report.value("measured", ""), name);
+        EXPECT_TRUE(report.value("finished", false));
+        EXPECT_FALSE(report.value("parts", json::array()).empty());
+        for (const json& part : report.value("parts", json::array())) {
+            EXPECT_FALSE(part["rows"].empty());
+            EXPECT_EQ(part.value("nonfinite", 0), 0);
+        }
+        EXPECT_GT(std::ranges::count(text_of(name + ".csv"), '\n'), 1) << name;
+        return report;
+    }
+
+    test::ScratchFolder folder_;
+};
+
+} // namespace
+
+TEST_F(Experiments, QualityComparesTechniquesWithAReference) {
+    const json report = measure("quality");
+    for (const json& row : report["parts"][0]["rows"]) {
+        EXPECT_GT(row["mse"]["value"], 0.0) << row["label"];
+        EXPECT_GT(row["efficiency"]["value"], 0.0) << row["label"];
+        EXPECT_GT(row["frame_ms"]["value"], 0.0) << row["label"];
+    }
+}
+
+TEST_F(Experiments, AdaptHasAnErrorForEveryFrame) {
+    const json report = measure("adapt", {"--frames", "12"});
+    for (const json& row : report["parts"][0]["rows"])
+        EXPECT_EQ(row["mse"]["frames"].size(), 12u);
+}
+
+TEST_F(Experiments, TimingSplitsFramesByPass) {
+    const json report = measure("timing");
+    for (const json& row : report["parts"][0]["rows"]) {
+        const bool prepares = row["label"] != "sll" && row["label"] != "lh";
+        EXPECT_EQ(!row["pass_frames_ms"].empty(), prepares) << row["label"];
+        EXPECT_EQ(row["path_ms"]["frames"].size(), 21u);
+    }
+}
+
+TEST_F(Experiments, ScaleVariesLightsPixelsAndTriangles) {
+    const json report = measure("scale");
+    std::map<std::string, std::vector<double>> axes;
+    for (const json& part : report["parts"])
+        for (const char* axis : {"lights", "resolution", "triangles"})
+            if (part["part"].get<std::string>().starts_with(axis))
+                axes[axis].push_back(axis == std::string("resolution")
+                                         ? part["height"].get<double>()
+                                         : part[axis].get<double>());
+    ASSERT_EQ(axes.size(), 3u);
+    for (const auto& [axis, values] : axes) {
+        ASSERT_GE(values.size(), 2u) << axis;
+        EXPECT_LT(values.front(), values.back()) << axis;
+    }
+}
+
+TEST_F(Experiments, RingTurnsTheLamp) {
+    const json report = measure("ring");
+    EXPECT_EQ(report["parts"][0]["degrees"], 36);
+}
+
+TEST_F(Experiments, TradeGoesOnAfterAnInterruption) {
+    const std::vector<std::string> some = {"--part", "warehouse pt_vlc"};
+    const pid_t child = start("trade", some);
+    while (report_of("trade").value("parts", json::array()).empty() &&
+           waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kill(child, SIGINT);
+    status_of(child);
+    const std::size_t before = report_of("trade")["parts"].size();
+    ASSERT_GE(before, 1u);
+
+    const json report = measure("trade", some);
+    EXPECT_NE(text_of("trade.txt").find("measured before, kept"), std::string::npos);
+    EXPECT_EQ(report["parts"].size(), report["planned"].size());
+    // Finished: --keep leaves it as it is.
+    EXPECT_EQ(run("trade", {"--keep", some[0], some[1]}), 0);
+    EXPECT_EQ(report_of("trade"), report);
+}
+
+} // namespace vigil::bench

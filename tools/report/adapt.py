@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Draws error over frames from empty caches, after figure 9 of the paper, from the report of `run bench adapt`: one picture
+per level."""
+
+from matplotlib import pyplot
+
+import drawing
+
+LABELS = {"mse": "MSE", "trimmed_mse": "MSE without the largest 0.1% of the pixels"}
+# Techniques that learn nothing from frame to frame are drawn as one level.
+LEVEL_ROWS = ("sll", "lh", "ris", "uniform", "power")
+
+
+def draw_row(axes, row, measure, color):
+    curve = row[measure]
+    if row["label"] in LEVEL_ROWS:
+        axes.axhline(curve["settled"], color=color, label=row["label"])
+        return
+    frames = range(1, len(curve["frames"]) + 1)
+    axes.plot(frames, drawing.numbers(curve["frames"]), color=color, marker=".", label=row["label"])
+    drawing.fill(axes, frames, curve["frames"], color)
+    axes.axhline(curve["settled"] * curve["settled_factor"], color=color, linestyle=":", linewidth=1)
+    if curve["settled_frame"] <= len(curve["frames"]):
+        axes.axvline(curve["settled_frame"], color=color, linestyle=":", linewidth=1)
+
+
+def draw(report):
+    for part in report["parts"]:
+        figure, grid = pyplot.subplots(1, len(LABELS), figsize=(11, 4), layout="constrained")
+        for axes, (measure, label) in zip(grid, LABELS.items()):
+            for number, row in enumerate(part["rows"]):
+                draw_row(axes, row, measure, f"C{number}")
+            axes.set_yscale("log")
+            axes.set_xlabel("frame from an empty cache")
+            axes.set_ylabel(label)
+            axes.legend()
+        figure.suptitle(f"{part['level']}: {len(part['views'])} views, {part['seeds']} seeds, "
+                        f"{part['width']} x {part['height']}, 1 sample per pixel")
+        yield f"adapt_{part['part']}", figure
+
+
+if __name__ == "__main__":
+    drawing.main(__doc__, "adapt", draw)

@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Draws error against time for every technique, after figure 8 of the paper, from the report of `run bench quality`: one
+picture per level. What is further down and to the left is better; the dotted line joins what is as good at equal time."""
+
+import numpy
+from matplotlib import pyplot
+
+import drawing
+
+
+def draw(report):
+    for part in report["parts"]:
+        figure, axes = pyplot.subplots(figsize=(6.5, 4.2), layout="constrained")
+        for row in part["rows"]:
+            time, error = row["frame_ms"]["ratio"], row["trimmed_mse"]["ratio"]
+            if time["value"] is None or error["value"] is None:
+                continue
+            guided = row["variables"].get("pt_guide") == "cdq"
+            axes.errorbar(time["value"], error["value"], xerr=drawing.spread([time]), yerr=drawing.spread([error]),
+                          marker="s" if guided else "o", capsize=2, label=row["label"])
+        low, high = axes.get_xlim()
+        times = numpy.linspace(max(low, 1e-3), high, 100)
+        axes.plot(times, 1 / times, color="gray", linestyle=":", linewidth=1)
+        axes.set_yscale("log")
+        axes.set_xlabel(f"frame time over that of {part['baseline']}")
+        axes.set_ylabel("MSE without the largest 0.1%, likewise")
+        axes.set_title(f"{part['level']}: {len(part['views'])} views, {part['seeds']} seeds, {part['width']} x {part['height']}",
+                       fontsize=10)
+        axes.legend(fontsize=7)
+        yield f"quality_{part['part']}", figure
+
+
+if __name__ == "__main__":
+    drawing.main(__doc__, "quality", draw)

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Draws cost and error against the number of lights, of pixels and of triangles, from the report of `run bench scale`."""
+
+from matplotlib import pyplot
+
+import drawing
+
+# Axis, and what of a part stands on it.
+AXES = {
+    "lights": ("lights", lambda part: part["lights"]),
+    "resolution": ("pixels", lambda part: part["width"] * part["height"]),
+    "triangles": ("triangles", lambda part: part["triangles"]),
+}
+
+
+def axis_of(part):
+    return next(name for name in AXES if name in part["part"].split()[0])
+
+
+def draw(report):
+    axes_here = [name for name in AXES if any(axis_of(part) == name for part in report["parts"])]
+    figure, grid = pyplot.subplots(2, len(axes_here), figsize=(4 * len(axes_here), 6.5), squeeze=False, layout="constrained")
+    for column, name in enumerate(axes_here):
+        title, value_of = AXES[name]
+        parts = sorted((part for part in report["parts"] if axis_of(part) == name), key=value_of)
+        places = [value_of(part) for part in parts]
+        for number, label in enumerate(row["label"] for row in parts[0]["rows"]):
+            rows = [next(row for row in part["rows"] if row["label"] == label) for part in parts]
+            for line, values in enumerate(([row["frame_ms"] for row in rows], [row["trimmed_mse"] for row in rows])):
+                grid[line][column].errorbar(places, drawing.numbers(values), yerr=drawing.spread(values), marker="o",
+                                            markersize=3, capsize=2, color=f"C{number}", label=label)
+        for line in range(2):
+            grid[line][column].set_xscale("log")
+            grid[line][column].set_yscale("log")
+            grid[line][column].set_xlabel(title)
+    grid[0][0].set_ylabel("milliseconds of a frame")
+    grid[1][0].set_ylabel("MSE without the largest 0.1%")
+    grid[0][0].legend(fontsize=8)
+    yield "scale", figure
+
+
+if __name__ == "__main__":
+    drawing.main(__doc__, "scale", draw)
