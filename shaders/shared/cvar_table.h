@@ -56,7 +56,7 @@
     STRING(timedemo_json, GuardedSession, "", \
         "file below outdir that receives the numbers of a timedemo or a flight; empty: none") \
     \
-    CHOICE(pt_nee, Session, "sll", technique_choices, \
+    CHOICE(pt_nee, Session, "vlc", technique_choices, \
         "how next event estimation chooses a light") \
     CHOICE(pt_trace, Session, "auto", "auto|bvh|query", \
         "rays by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
@@ -114,7 +114,7 @@
         "vlc: weight of a light's appearing, moving or brightening when looking for lights") \
     REAL(pt_explore_distance, Session, 1.0, 0.0, 1e6, \
         "vlc: weight of being near the camera when looking for lights") \
-    CHOICE(pt_guide, Session, "brdf", "brdf|cdq", \
+    CHOICE(pt_guide, Session, "cdq", "brdf|cdq", \
         "how indirect rays are drawn: by the BRDF alone, or also by quadtrees of directions that brought light") \
     CHOICE(pt_cdq_bits, Session, "128", "32|64|96|128", \
         "cdq: size of a quadtree; 25, 49, 73 or 97 leaves") \

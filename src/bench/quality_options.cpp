@@ -79,9 +79,8 @@ QualityRow technique_row(std::string_view name) {
     const std::string_view technique = name.substr(0, name.size() - is_guided * guided.size());
     if (!is_technique(technique))
         fail("{}: no such technique; known are {}", technique, technique_choices);
-    QualityRow row{std::string(name), {{"pt_nee", std::string(technique)}}};
-    if (is_guided) row.settings.push_back({"pt_guide", "cdq"});
-    return row;
+    return {std::string(name),
+            {{"pt_nee", std::string(technique)}, {"pt_guide", is_guided ? "cdq" : "brdf"}}};
 }
 
 std::vector<QualityRow> technique_rows() {

@@ -191,7 +191,7 @@ std::vector<FrameCost> QualityRenderer::fly(const Place& place, const QualityRow
 }
 
 LightFloor QualityRenderer::floor(const Place& place) {
-    begin_run({"sll", {{"pt_nee", "sll"}}}, first_reference_seed - 1);
+    begin_run(technique_row("sll"), first_reference_seed - 1);
     render(place.measured());
     return measure_light_floor(*renderer_, {});
 }

@@ -8,14 +8,14 @@ namespace vigil::client {
 std::span<const Preset> presets() {
     static const std::vector<Preset> table = {
         {"fast",
-         "the least time for a frame",
-         {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "1"}}},
+         "the least time for a frame; noisy where only guided rays find the light",
+         {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "4"}}},
         {"balanced",
-         "the least error for the time",
-         {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "8"}}},
+         "the defaults: little noise everywhere, for one path a pixel",
+         {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}, {"pt_light_points", "8"}}},
         {"accurate",
-         "little error where light is hard to find, too; frames take several times as long",
-         {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "4"}, {"pt_light_points", "8"}}},
+         "the least noise; frames take several times as long",
+         {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "4"}, {"pt_light_points", "16"}}},
     };
     return table;
 }

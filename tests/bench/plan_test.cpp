@@ -83,6 +83,12 @@ TEST(Plan, TheDefaultIsAmongWhatIsTried) {
     }
 }
 
+TEST(Presets, TheDefaultsAreOneOfThem) {
+    const client::Preset* preset = client::present_preset(CvarRegistry());
+    ASSERT_NE(preset, nullptr);
+    EXPECT_EQ(preset->name, "balanced");
+}
+
 TEST(Presets, SetTheSameVariablesAndAreTold) {
     std::set<std::string_view> variables;
     for (const client::PresetSetting& setting : client::presets().front().settings)

@@ -30,14 +30,16 @@ TEST(QualityOptions, EveryTechniqueButBruteIsARow) {
     EXPECT_EQ(rows.size(), std::size(technique_infos) - 1);
     for (const QualityRow& row : rows) {
         EXPECT_NE(row.label, "brute");
-        ASSERT_EQ(row.settings.size(), 1u);
+        ASSERT_EQ(row.settings.size(), 2u);
         EXPECT_EQ(row.settings[0].name, "pt_nee");
         EXPECT_EQ(row.settings[0].value, row.label);
+        EXPECT_EQ(row.settings[1].value, "brdf");
     }
     const QualityRow guided = technique_row("vlc+cdq");
     ASSERT_EQ(guided.settings.size(), 2u);
     EXPECT_EQ(guided.settings[0].value, "vlc");
     EXPECT_EQ(guided.settings[1].name, "pt_guide");
+    EXPECT_EQ(guided.settings[1].value, "cdq");
     EXPECT_THROW(technique_row("magic+cdq"), Error);
     const QualityOptions options = parse({});
     EXPECT_GT(options.rows.size(), rows.size());

@@ -122,7 +122,7 @@ TEST_F(DemoTest, ARouteIsRecordedAndPlayedTheSameEachTime) {
     EXPECT_EQ(report["variables"]["timedemo"], "2");
     // Path tracing by technique: here of one pass, preparation did not run.
     ASSERT_EQ(report["groups"].size(), 1u);
-    EXPECT_EQ(report["groups"][0]["name"], "path tracing, sll");
+    EXPECT_EQ(report["groups"][0]["name"], "path tracing, vlc + cdq");
     EXPECT_EQ(report["groups"][0]["mean_ms"], 1.0);
     EXPECT_EQ(report["groups"][0]["share"], 0.25);
     EXPECT_FALSE(report["commit"].get<std::string>().empty());

@@ -70,7 +70,7 @@ public:
         std::vector<refresh::FrameTimes> times;
         for (; timed_ < rendered_; ++timed_)
             times.push_back({timed_,
-                             {{"primary", 1.0}, {"shade", 3.0}},
+                             {{"primary", 1.0, refresh::PassGroup::PathTracing}, {"shade", 3.0}},
                              {{"leaves", static_cast<double>(timed_)}}});
         return times;
     }

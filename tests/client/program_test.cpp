@@ -151,7 +151,8 @@ TEST_F(ProgramTest, PresetsOfLightListsGoThereAndBack) {
     }
     const std::string values = "+echo lists $pt_nee $pt_sll_max $pt_sll_mass $pt_sll_stats "
                                "$pt_light_points $pt_light_density ";
-    EXPECT_EQ(run(values + "+exec q2rtx_lists.cfg " + values + "+exec default_lists.cfg " + values),
+    EXPECT_EQ(run("+set pt_nee sll " + values + "+exec q2rtx_lists.cfg " + values +
+                  "+exec default_lists.cfg " + values),
               0);
     const size_t before = output_.find("lists"), shipped = output_.find("lists", before + 1),
                  after = output_.find("lists", shipped + 1);

@@ -185,7 +185,7 @@ TEST_F(CommandTest, NamesAreTakenOnce) {
 
 TEST_F(CommandTest, VariablesExpandOutsideQuotes) {
     commands.execute_text("do shot_$pt_nee-$pt_spp \"$pt_nee\" $ 5$; do $no_such");
-    EXPECT_EQ(done, Words{"shot_sll-1 $pt_nee $ 5$"});
+    EXPECT_EQ(done, Words{"shot_vlc-1 $pt_nee $ 5$"});
     EXPECT_EQ(commands.failures(), 1);
 }
 
@@ -205,7 +205,7 @@ TEST_F(CommandTest, AMissingQuoteIsAnError) {
 TEST_F(CommandTest, VariablesAreShownSetResetAndToggled) {
     commands.execute_text("pt_spp");
     EXPECT_TRUE(log.contains("pt_spp \"1\"")) << log.all();
-    commands.execute_text("pt_spp 4; set fov 100; seta vid_vsync 0; toggle pt_nee");
+    commands.execute_text("pt_spp 4; set fov 100; seta vid_vsync 0; pt_nee 0; toggle pt_nee");
     EXPECT_EQ(variables->pt_spp, 4);
     EXPECT_EQ(variables->fov, 100.0f);
     EXPECT_EQ(variables->vid_vsync, 0);

@@ -68,6 +68,9 @@ void RenderTest::SetUp() {
     ASSERT_TRUE(shared && shared->renderer);
     for (const CvarInfo& info : cvar_infos)
         if (info.life != CvarLife::Start) cvars().reset(info.name);
+    // What learns from frames is asked for by those tests that are about it.
+    set("pt_nee", "sll");
+    set("pt_guide", "brdf");
     set_size(48, 32);
     set("pt_jitter", "0");
 }
