@@ -160,8 +160,9 @@ TEST_F(GuidingTest, OneHugeLeafAmongEmptyOnes) {
 }
 
 TEST_F(GuidingTest, MillionsOfSamplesInOneLeaf) {
-    // Counted as they come; stored as far as there is room.
-    for (const uint32_t count : {3000000u, 0x80000000u}) {
+    // Counted as they come; stored as far as there is room. The largest picture, 16,384 pixels wide
+    // and high, has 2^29 samples.
+    for (const uint32_t count : {3000000u, 1u << 29}) {
         SCOPED_TRACE(count);
         constexpr uint32_t stored = 20000;
         start(crowded(32, 3));
@@ -181,7 +182,7 @@ TEST_F(GuidingTest, MillionsOfSamplesInOneLeaf) {
         EXPECT_EQ(tree_.splits, 1u);
         EXPECT_EQ(statistics_.dropped, count - stored);
     }
-    record("octree", "3 million and 2^31 samples in one leaf, none elsewhere",
+    record("octree", "3 million and 2^29 samples in one leaf, none elsewhere",
            "octree and caches of the plain implementation; what has no room is counted");
 }
 
@@ -194,7 +195,9 @@ TEST_F(GuidingTest, ThresholdsOfOneAndOfTwoToThe31) {
         start(settings, 64);
         for (const uint32_t nodes : {1u, 20u, 64u}) {
             Dice dice(nodes);
-            random_frame(dice, random_tree(dice, nodes, 0.3), {});
+            state_ = random_samples(dice, random_tree(dice, nodes, 0.3), {}, settings_with(32),
+                                    guiding().header());
+            frame();
             if (HasFatalFailure()) return;
         }
     }
