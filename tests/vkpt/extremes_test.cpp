@@ -127,7 +127,7 @@ TEST_F(Extremes, OctreesThatSplitAlwaysAndNever) {
     const uint32_t least = adapt(commands).nodes;
     EXPECT_GT(most, 8 * least);
     EXPECT_LE(least, 9u);
-    record("octree", "thresholds of 1 and 2^31, the first with the nodes used up",
+    record("octree", "the smallest and the largest thresholds that variables can have",
            "mean that of a technique without one", fmt::format("{} and {} nodes", most, least));
 }
 
@@ -160,7 +160,7 @@ TEST_F(Extremes, ClocksAndFrameCountersOfYears) {
     }
     record("counters that wrap", "clocks of 4,096 seconds to 30 million years", "pictures go on");
     record("counters that wrap", "frame 2^32 - 1 (2.3 years at 60 per second), averaged or not",
-           "finite; the mean starts anew after it");
+           "finite, and the mean hardly moves");
 }
 
 TEST_F(Extremes, OnePixel) {

@@ -12,6 +12,7 @@ seen may differ, as machines do.
 """
 
 import os
+import re
 import sys
 import xml.etree.ElementTree as tree
 from pathlib import Path
@@ -57,10 +58,16 @@ def without_seen(tables):
 
 
 def find_reports(programs):
+    """The newest report of each program that is not older than the program. GoogleTest numbers reports: NAME_1.xml."""
     folder = Path(os.environ.get("GTEST_OUTPUT", "").removeprefix("xml:") or "build/results")
-    reports = [(folder / (program.name + ".xml"), program) for program in map(Path, programs)]
-    return [report for report, program in reports
-            if report.exists() and program.exists() and report.stat().st_mtime >= program.stat().st_mtime]
+    found = []
+    for program in map(Path, programs):
+        reports = [path for path in folder.glob(program.name + "*.xml")
+                   if re.fullmatch(program.name + r"(_\d+)?\.xml", path.name)]
+        newest = max(reports, key=lambda path: path.stat().st_mtime, default=None)
+        if newest and program.exists() and newest.stat().st_mtime >= program.stat().st_mtime:
+            found.append(newest)
+    return found
 
 
 def main(arguments):
