@@ -41,10 +41,7 @@ float sample_cell(uvec2 cell) {
     const vec2 uv = (vec2(cell) + random_next2(random)) / float(DIRECTION_MAP_EDGE);
     const vec3 direction = octahedral_decode(uv);
     const vec3 brought = arriving_radiance(load_primary_surface(hit), direction, random);
-    const float value = luminance(brought) / octahedral_density(direction);
-    if (value < 3e38) return value; // not of NaN
-    atomicAdd(counters.nonfinite, 1u);
-    return 0.0;
+    return admit(luminance(brought) / octahedral_density(direction));
 }
 
 void main() {
@@ -54,7 +51,7 @@ void main() {
     float value = sample_cell(cell);
     if (frame.view_accumulated > 0u) {
         const float before = directions[index];
-        value = before + (value - before) / float(frame.view_accumulated + 1u);
+        value = before + (value - before) / (float(frame.view_accumulated) + 1.0);
     }
     directions[index] = value;
     tile[lane] = value;

@@ -5,6 +5,7 @@
 #define VIGIL_LIGHT_IMPORTANCE_GLSL
 
 #include "light/ltc.glsl"
+#include "pathtrace/firewall.glsl"
 #include "pathtrace/surface.glsl"
 
 LtcSurface prepare_importance(Surface surface) {
@@ -12,8 +13,11 @@ LtcSurface prepare_importance(Surface surface) {
     return ltc_prepare_diffuse(surface.origin, surface.normal, luminance(surface.brdf.albedo));
 }
 
+/// Of choosing only: sums of importances, and their quotients with probabilities, stay finite below this.
+const float LIGHT_IMPORTANCE_MOST = 1e18;
+
 float light_importance(LtcSurface surface, uint light) {
-    return ltc_importance(surface, lights[light], HAS_GLOSS);
+    return min(admit(ltc_importance(surface, lights[light], HAS_GLOSS)), LIGHT_IMPORTANCE_MOST);
 }
 
 /// Solid angle times luminance of a light that can shine on a surface at this place, 0 for others: knows neither what the surface
@@ -24,7 +28,7 @@ float solid_angle_importance(vec3 position, vec3 normal, uint light) {
     if (!(brightness > 0.0)) return 0.0;
     // A corner above the surface's horizon.
     const float height = dot(normal, seen.v0 - position) + max(max(dot(normal, seen.e1), dot(normal, seen.e2)), 0.0);
-    return height > 0.0 ? brightness * light_solid_angle(seen, position) : 0.0;
+    return height > 0.0 ? min(admit(brightness * light_solid_angle(seen, position)), LIGHT_IMPORTANCE_MOST) : 0.0;
 }
 
 #endif

@@ -3,7 +3,7 @@
 // may add to the surface (shared/light_hierarchy.h); in the leaf, one light in proportion to its importance, as the other techniques weigh lights.
 // Nothing learns: visibility is not known. Host side: refresh/vkpt/light/lh.cpp.
 #include "light/importance.glsl"
-#include "light/reservoir.glsl"
+#include "shared/reservoir.h"
 #include "shared/light_hierarchy.h"
 
 layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer LightNodeBlock { uvec4 light_nodes[]; };

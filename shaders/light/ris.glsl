@@ -6,7 +6,7 @@
 // Host side: refresh/vkpt/light/ris.cpp. docs/adding-a-sampler.md leads through this file.
 #include "light/alias.glsl"
 #include "light/importance.glsl"
-#include "light/reservoir.glsl"
+#include "shared/reservoir.h"
 
 #define PROBABILITY_IS_EXACT 0
 

@@ -7,7 +7,7 @@
 // Host side: refresh/vkpt/light/sll.cpp.
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
-#include "light/reservoir.glsl"
+#include "shared/reservoir.h"
 #include "light/shadow_statistics.glsl"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1

@@ -12,7 +12,7 @@
 #include "light/alias.glsl"
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
-#include "light/reservoir.glsl"
+#include "shared/reservoir.h"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
 #define STORES_LIGHT_SAMPLES 1
@@ -119,7 +119,7 @@ Shares technique_shares(bool shines, uint leaf, LightList list) {
     const float table = explore * (1.0 - local);
     float by_list = explore * local;
     if (shines) by_list = max(by_list, (1.0 - table) * wanted_walks(leaf));
-    return Shares(1.0 - table - by_list, by_list, table);
+    return Shares(explore < 1.0 ? 1.0 - table - by_list : 0.0, by_list, table);
 }
 
 /// Everything that the draws of a surface have in common.
@@ -138,6 +138,8 @@ LightSearch prepare_search(Surface surface, uint leaf) {
     search.list = find_light_list(surface);
     search.list_stride = max(list_stride(search.list, bucket_size()), 1u);
     search.shares = technique_shares(may_shine(search.cache, search.prepared), leaf, search.list);
+    // Where nothing is drawn from the cache, its lights must not be left to it.
+    if (!(search.shares.cache > 0.0)) search.cache.buckets = 0u;
     return search;
 }
 
@@ -186,7 +188,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     choice.memory.x = found.samples;
     choice.memory.y = from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED;
     if (from_list)
-        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_worth(walk.reservoir.sum * float(search.list_stride));
+        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_worth(admit(walk.reservoir.sum * float(search.list_stride)));
     float importance = walk.sought_importance;
     if (from_cache || from_list) {
         choice.light = walk.reservoir.chosen;

@@ -15,6 +15,6 @@ void main() {
     Random random = path_random(pixel, STREAM_DIRECT);
     const DirectLight light = next_event_estimate(load_primary_surface(hit), random);
     const uint flags = (light.radiance == vec3(0.0) ? PRIMARY_HIT_UNLIT : 0u) | (light.explored ? PRIMARY_HIT_EXPLORED : 0u);
-    primary_hits[index].flags = hit.flags | flags;
+    primary_hits[index].flags |= flags;
     add_radiance(index, light.radiance, false);
 }

@@ -4,6 +4,7 @@
 #ifndef VIGIL_PATHTRACE_INDIRECT_RAY_GLSL
 #define VIGIL_PATHTRACE_INDIRECT_RAY_GLSL
 
+#include "pathtrace/firewall.glsl"
 #include "pathtrace/sky.glsl"
 #include "pathtrace/next_event.glsl"
 #include "guiding/octree.glsl"
@@ -60,8 +61,8 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
     ray.t_min = 0.0;
     ray.t_max = 1e30;
     weight = vec3(0.0);
-    if (!(seen.pdf > 0.0)) return false;
-    weight = seen.value / seen.pdf;
+    if (!(admit(seen.pdf) > 0.0)) return false;
+    weight = admit(seen.value / seen.pdf);
     return max(weight.x, max(weight.y, weight.z)) > 0.0;
 }
 
@@ -80,7 +81,7 @@ RayEnd follow_ray(Ray ray, bool light, inout Random random) {
     Hit hit;
     if (!trace_closest(ray, random_next_words(random).x, hit)) return end;
     const Vertex vertex = describe_hit(ray, hit, INDIRECT_SPREAD, false);
-    end.brought = collect(vertex, ray.direction);
+    end.brought = admit(collect(vertex, ray.direction));
     if (!vertex.lit || !light) return end;
     end.goes_on = true;
     end.surface = vertex.surface;

@@ -38,6 +38,8 @@ void main() {
             stored.gloss = packHalf2x16(vec2(vertex.surface.brdf.alpha, vertex.surface.brdf.f0));
         }
     }
+    // What was found not to be finite stays marked while its frame, or its mean, is made.
+    if (path_index > 0u || frame.accumulated > 0u) stored.flags = primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
     primary_hits[index] = stored;
     add_radiance(index, emission, path_index == 0u);
 }

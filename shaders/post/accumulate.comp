@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "post/picture.glsl"
+#include "shared/running_mean.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -16,12 +17,12 @@ void main() {
     tile[lane] = vec2(0.0);
     if (all(lessThan(pixel, frame.size))) {
         const uint index = pixel.y * frame.size.x + pixel.x;
-        vec3 value = radiance[index] / float(path_count);
-        if (frame.accumulated > 0u) {
-            const vec3 before = mean_radiance[index];
-            value = before + (value - before) / float(frame.accumulated + 1u);
-        }
+        const uint carry_index = frame.size.x * frame.size.y + index;
+        vec3 value = mean_radiance[index];
+        vec3 carry = mean_radiance[carry_index];
+        add_to_mean(value, carry, frame.accumulated, radiance[index] / float(path_count));
         mean_radiance[index] = value;
+        mean_radiance[carry_index] = carry;
         tile[lane] = vec2(luminance(value), 1.0);
     }
     for (uint step = 32u; step > 0u; step >>= 1) {

@@ -7,7 +7,7 @@
 #include "shared/brdf.h"
 
 layout(set = SET_SCENE, binding = BINDING_ACCUMULATION, scalar) restrict buffer AccumulationBlock {
-    vec3 mean_radiance[];
+    vec3 mean_radiance[]; // by pixel; then, by pixel again, what rounding has left out (shared/running_mean.h)
 };
 // Result first, then one partial sum per tile.
 layout(set = SET_SCENE, binding = BINDING_EXPOSURE, scalar) restrict buffer ExposureBlock {

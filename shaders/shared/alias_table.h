@@ -13,7 +13,7 @@ SHADER_BEGIN
 struct AliasEntry {
     uint threshold;
     uint alias;
-    float pdf; // probability that the whole table yields this column's own index
+    float pdf; // probability that the whole table yields this column's own index; rounded once, 2^-24
 };
 
 /// Where 64 random bits fall in a table.

@@ -89,16 +89,16 @@
         "lh: children of a node; up to 4 of them take 64 bytes, more take 128") \
     INTEGER(pt_lh_leaf, Session, 2, 1, 16, \
         "lh: most lights in a leaf, where each is weighted by itself") \
-    INTEGER(pt_oct_split, Session, 4096, 1, 1000000000, \
+    INTEGER(pt_oct_split, Session, 4096, 1, 2147483647, \
         "octree: a leaf with more surface samples than this is split (at 1920 x 1080)") \
-    INTEGER(pt_oct_collapse, Session, 2048, 0, 1000000000, \
+    INTEGER(pt_oct_collapse, Session, 2048, 0, 2147483647, \
         "octree: eight leaves with fewer samples together become one (at 1920 x 1080)") \
     REAL(pt_oct_scale, Session, 1.0, 0.001, 1000.0, \
         "octree: factor on both thresholds; they also follow the number of pixels") \
     GPU_INTEGER(pt_vlc_bucket, Session, 32, 1, 64, \
         "vlc: most lights weighted per hit; caches with more have several buckets") \
-    GPU_REAL(pt_vlc_explore, Session, 0.05, 0.01, 1.0, \
-        "vlc: share of light samples that look for lights not in the cache") \
+    GPU_REAL(pt_vlc_explore, Session, 0.05, 0.0, 1.0, \
+        "vlc: share of light samples that look for lights not in the cache; 0: none do, and lights that no cache has are missing") \
     GPU_INTEGER(pt_vlc_adapt, Session, 1, 0, 1, \
         "vlc: 1: where looking for lights finds much that a cache lacks, a larger share of samples does; 0: the same everywhere, as the paper") \
     REAL(pt_vlc_hysteresis, Session, 0.75, 0.0, 1.0, \
@@ -118,7 +118,7 @@
         "how indirect rays are drawn: by the BRDF alone, or also by quadtrees of directions that brought light") \
     CHOICE(pt_cdq_bits, Session, "128", "32|64|96|128", \
         "cdq: size of a quadtree; 25, 49, 73 or 97 leaves") \
-    GPU_REAL(pt_cdq_brdf, Session, 0.5, 0.05, 1.0, "cdq: share of rays drawn by the BRDF") \
+    GPU_REAL(pt_cdq_brdf, Session, 0.5, 0.0, 1.0, "cdq: share of rays drawn by the BRDF; 0: all by quadtrees") \
     REAL(pt_cdq_margin, Session, 0.25, 0.0, 1.0, \
         "cdq: a quadtree is refined where this share of a leaf's contribution exceeds what is given up") \
     INTEGER(pt_cdq_rays, Session, 512, 0, 1000000, \

@@ -18,6 +18,7 @@
 #define SHADER_CONST inline constexpr
 #define INOUT(type) type&
 #define OUT(type) type&
+#define PRECISE
 
 namespace vigil::shader {
 using namespace glm;
@@ -32,6 +33,7 @@ using uint = std::uint32_t;
 #define SHADER_CONST const
 #define INOUT(type) inout type
 #define OUT(type) out type
+#define PRECISE precise
 
 #endif
 #endif

@@ -69,9 +69,11 @@ SHADER_CONST uint LIGHT_SAMPLE_ID_MASK = 0x003fffffu;
 /// What is stored when there was no light to sample, or one with a larger id, which no cache learns.
 SHADER_CONST uint LIGHT_SAMPLE_NONE = LIGHT_SAMPLE_ID_MASK;
 
-/// The power of two next to `worth`, within 2^-64 .. 2^63, in place; 0 counts as the least.
+/// The power of two next to `worth`, within 2^-64 .. 2^63, in place; 0, and what is no number, count
+/// as the least. Off by a factor of sqrt(2) at most.
 SHADER_FN uint light_sample_worth(float worth) {
-    const float power = clamp(floor(log2(max(worth, 1e-30f)) + 64.5f), 0.0f, 127.0f);
+    const float least = worth > 1e-30f ? worth : 1e-30f;
+    const float power = clamp(floor(log2(least) + 64.5f), 0.0f, 127.0f);
     return uint(power) << LIGHT_SAMPLE_WORTH_SHIFT;
 }
 
@@ -111,6 +113,10 @@ SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
     return memory;
 }
 
+/// Sums beyond this are kept as this: squares of worths, which reach 2^126, must not add up to
+/// infinity.
+SHADER_CONST float EXPLORE_LARGEST_SUM = 1e37f;
+
 SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
     return uvec2(pack_sums(memory.listed, memory.known), pack_sums(memory.found, memory.share));
 }
@@ -122,19 +128,20 @@ SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float
     // Many new draws leave little of the old: an empty cache is full a frame later.
     const float kept = max(1.0f - listed / EXPLORE_DRAWS, 0.0f);
     memory.listed = kept * memory.listed + listed;
-    memory.known = kept * memory.known + known;
-    memory.found = kept * memory.found + found;
+    memory.known = min(kept * memory.known + known, EXPLORE_LARGEST_SUM);
+    memory.found = min(kept * memory.found + found, EXPLORE_LARGEST_SUM);
     const float seen_share = float(seen + 1u) / float(drawn + 1u); // 1 where nothing was drawn
-    const float odds = sqrt(memory.found * memory.listed / seen_share);
+    const float odds = sqrt(memory.found) * sqrt(memory.listed / seen_share);
     memory.share = odds > 0.0f ? min(odds / (odds + memory.known), EXPLORE_MOST) : 0.0f;
     return memory;
 }
 
 /// A ray sample, 4 bytes: the cell of its direction on the grid of the smallest quadtree leaves,
-/// and what it contributed, in quarters of a power of two from 2^-32 on. It decides where to look,
-/// never how bright anything is.
+/// and what it contributed, in quarters of a power of two from 2^-32 to 2^31.75: off by 9.1% at most in
+/// between, and cut off beyond. It decides where to look, never how bright anything is.
 SHADER_FN uint ray_sample_pack(uvec2 grid, float contribution) {
-    const float steps = clamp(4.0f * log2(max(contribution, 1e-30f)) + 128.5f, 0.0f, 255.0f);
+    const float least = contribution > 1e-30f ? contribution : 1e-30f; // also of what is no number
+    const float steps = clamp(4.0f * log2(least) + 128.5f, 0.0f, 255.0f);
     return grid.x | (grid.y << 12u) | (uint(steps) << 24u);
 }
 

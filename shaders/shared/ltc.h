@@ -59,8 +59,8 @@ SHADER_FN float edge_form_factor(vec3 normal, vec3 a, vec3 b) {
 }
 
 /// Form factor of a triangle by its contour, cut at the horizon. `height` holds the vertices'
-/// heights above the horizon; at least one is positive. Exact up to rounding: an absolute error of
-/// 1e-6, which small triangles feel.
+/// heights above the horizon; at least one is positive. Exact up to rounding: an absolute error below
+/// 3e-6, which small triangles feel (tests/numerics/lights_test.cpp).
 SHADER_FN float contour_form_factor(vec3 normal, vec3 v0, vec3 v1, vec3 v2, vec3 height) {
     vec3 p0 = v0;
     vec3 p1 = v1;
@@ -145,8 +145,9 @@ SHADER_FN vec2 point_form_factor(vec3 v0, vec3 e1, vec3 e2, vec3 height, float f
 /// Cosine-weighted solid angle over pi, in [0, 1], of the part of a triangle above the horizon: its
 /// irradiance on a surface at the origin with this unit normal, per pi * radiance. `facing` is
 /// `light_facing`, and positive. Never zero when some vertex is above the horizon, exactly zero
-/// when none is. docs/light-sampling.md has its errors: mostly below 0.1%, at the thresholds a few
-/// percent.
+/// when none is. Its errors: below 20% of itself for triangles whole above the horizon, within 5% of the
+/// solid angle over pi for those cut by it (tests/numerics/lights_test.cpp); mostly below 0.1%
+/// (docs/light-sampling.md).
 SHADER_FN float form_factor(vec3 normal, vec3 v0, vec3 e1, vec3 e2, float facing) {
     vec3 height = dot(normal, v0) + vec3(0.0f, dot(normal, e1), dot(normal, e2));
     if (!(max(height.x, max(height.y, height.z)) > 0.0f)) return 0.0f;

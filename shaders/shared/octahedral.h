@@ -21,13 +21,18 @@ SHADER_FN vec2 octahedral_fold(vec2 p) {
                 (1.0f - abs(p.x)) * (p.y >= 0.0f ? 1.0f : -1.0f));
 }
 
-/// Direction of any non-zero length to the unit square, [0, 1)^2. The zero vector maps to the
-/// centre.
+/// A coordinate of the unit square, below 1; 0 for what is no number.
+SHADER_FN float octahedral_inside(float x) {
+    return x > 0.0f ? min(x, OCTAHEDRAL_MAX) : 0.0f;
+}
+
+/// Direction of any length from 1e-37 to 1e38 to the unit square, [0, 1)^2. The zero vector maps to
+/// the centre, and anything else, numbers or not, to some point of the square.
 SHADER_FN vec2 octahedral_encode(vec3 direction) {
     float sum = abs(direction.x) + abs(direction.y) + abs(direction.z);
     vec2 q = vec2(direction.x, direction.y) / max(sum, 1e-37f);
     q = direction.z >= 0.0f ? q : octahedral_fold(q);
-    return clamp(0.5f * q + 0.5f, vec2(0.0f), vec2(OCTAHEDRAL_MAX));
+    return vec2(octahedral_inside(0.5f * q.x + 0.5f), octahedral_inside(0.5f * q.y + 0.5f));
 }
 
 /// The point q of the octahedron |x| + |y| + |z| = 1 above a point of the unit square.
@@ -38,14 +43,14 @@ SHADER_FN vec3 octahedral_point(vec2 uv) {
     return vec3(p.x, p.y, z);
 }
 
-/// Unit square to unit direction.
+/// Unit square to unit direction, to within 3e-7 radians.
 SHADER_FN vec3 octahedral_decode(vec2 uv) {
     return normalize(octahedral_point(uv));
 }
 
 /// Square density to solid-angle density: pdf per steradian = pdf per unit square area * this
 /// factor, |q|_2^3 / 4. For a unit direction q = d / |d|_1, so that |q|_2 = 1 / |d|_1. In [0.048,
-/// 0.25].
+/// 0.25]; relative error below 10 * 2^-24.
 SHADER_FN float octahedral_density(vec3 direction) {
     float sum = abs(direction.x) + abs(direction.y) + abs(direction.z);
     return 0.25f / (sum * sum * sum);

@@ -56,6 +56,25 @@ SHADER_FN Random random_begin(uvec2 pixel, uint frame, uint seed) {
     return random;
 }
 
+/// Paths of a pixel so far, as (low, high) 32 bits: `per_frame` in each frame before this one.
+SHADER_FN uvec2 path_number(uint frame, uint per_frame, uint path_of_frame) {
+    uint high, low, carry;
+    umulExtended(frame, per_frame, high, low);
+    low = uaddCarry(low, path_of_frame, carry);
+    return uvec2(low, high + carry);
+}
+
+/// Streams that each path has: RANDOM_STREAMS of them.
+SHADER_CONST uint RANDOM_STREAMS = 4u;
+
+/// Starts a stream of a path, which path_number has counted. Pixels have coordinates below 2^16, so
+/// that their words have room for what a path's number has beyond 30 bits: the 2^44 paths of 2^32
+/// frames, 4,096 in each, all have streams of their own.
+SHADER_FN Random random_path(uvec2 pixel, uvec2 path, uint stream, uint seed) {
+    const uint beyond = (path.y << 2u) | (path.x >> 30u);
+    return random_begin(pixel ^ uvec2(0u, beyond << 16u), RANDOM_STREAMS * path.x + stream, seed);
+}
+
 /// The next draw as three words. Their top 24 bits are good enough to sample with; the low ones
 /// less so.
 SHADER_FN uvec3 random_next_words(INOUT(Random) random) {

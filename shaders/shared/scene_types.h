@@ -90,7 +90,7 @@ struct PrimaryHit {
     vec3 albedo;    // linear
     uint primitive; // NONE: nothing to light (sky, miss, the inside of a wall)
     uint instance;
-    uint gloss;     // packHalf2x16(GGX alpha, reflectance at normal incidence)
+    uint gloss;     // packHalf2x16(GGX alpha, to 2^-11 of itself; reflectance at normal incidence, to 2^-12)
     uint flags;     // PRIMARY_HIT_*
 };
 

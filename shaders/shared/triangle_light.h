@@ -63,8 +63,10 @@ SHADER_FN LightSample see_light_point(Light light, vec3 position, vec3 point) {
     return seen;
 }
 
-/// Solid angle of the light's lit side in steradian, in [0, 2 pi); 0 where it faces away. Exact to
-/// some units in the last place for the smallest and the largest lights (see spherical_triangle.h).
+/// Solid angle of the light's lit side in steradian, in [0, 2 pi); 0 where it faces away. The
+/// relative error is below 16 max(k, 1) 2^-24, where k says how the triangle conditions the formula
+/// (tests/numerics/lights_test.cpp): 1 for small and large lights of ordinary shape, more for needles
+/// and for lights seen along their plane.
 SHADER_FN float light_solid_angle(Light light, vec3 position) {
     const float facing = light_facing(light, position);
     if (!(facing > 0.0f)) return 0.0f;
@@ -105,7 +107,8 @@ SHADER_FN SphericalTriangle near_light(Light light, vec3 position, int density) 
         !(dot(c, c) > 0.0f))
         return seen;
     seen = spherical_triangle(a, light.e1, light.e2);
-    if (!(seen.solid_angle > (always ? 0.0f : LIGHT_NEAR_SOLID_ANGLE))) seen.solid_angle = 0.0f;
+    // Whose density is beyond all floats is left to its area, which says the same.
+    if (!(seen.solid_angle > (always ? 1e-37f : LIGHT_NEAR_SOLID_ANGLE))) seen.solid_angle = 0.0f;
     return seen;
 }
 

@@ -3,6 +3,7 @@
 // leaves of an octree it makes the quadtrees that the oracle makes. Each test also demands that the
 // case it is named after occurred.
 #include "guiding_fixture.h"
+#include "numerics/record.h"
 #include "random_rays.h"
 
 namespace vigil::test {
@@ -154,6 +155,40 @@ TEST_P(DirectionsOfSize, RememberFromFrameToFrame) {
     EXPECT_GT(moved_, 8u);
 }
 
+TEST_P(DirectionsOfSize, AllEnergyInOneRayAndNoneAtAll) {
+    // One ray brings more than can be stored, beside rays that bring next to nothing; then all
+    // bring the most; then none brings anything. With and without memory.
+    const uint32_t bits = GetParam();
+    for (const uint32_t memory : {0u, 500u}) {
+        SCOPED_TRACE(testing::Message() << memory << " rays remembered");
+        shader::GuidingSettings settings = settings_for(4, 0.25f);
+        settings.memory_rays = memory;
+        start(settings, 64, bits);
+        deepest_ = 0;
+        for (int i = 0; i < 18; ++i) {
+            for (auto& [path, leaf] : state_.leaves) {
+                leaf.count = 30; // between the thresholds: the octree rests
+                leaf.rays = i < 12 ? std::min(leaf.room, 20u) : 0u;
+                for (uint32_t ray = 0; ray < leaf.rays; ++ray) {
+                    const glm::uvec2 cell =
+                        ray == 0 ? glm::uvec2(1000, 3000) : glm::uvec2(200 * ray, 4095 - 100 * ray);
+                    const float brought = ray == 0 || i >= 8 ? 3e38f : 0.0f;
+                    state_.rays[leaf.first_sample + ray] = shader::ray_sample_pack(cell, brought);
+                }
+            }
+            rays_frame();
+            if (HasFatalFailure()) return;
+        }
+        if (memory == 0) { // a memory is shared out evenly when its leaf is split, and fades first
+            EXPECT_EQ(deepest_, std::min(12u, bits / 4));
+        }
+    }
+    record(
+        "directional quadtree",
+        fmt::format("{} bits: all energy in one ray, all rays at the format's top, no rays", bits),
+        "the quadtrees of the plain implementation; a chain to the one ray");
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, DirectionsOfSize, testing::Values(32u, 64u, 96u, 128u));
 
 TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
@@ -196,6 +231,8 @@ TEST_F(Directions, OneHugeLeafAmongEmptyOnes) {
         if (HasFatalFailure()) return;
     }
     EXPECT_EQ(many_, 7u);
+    record("octree", "100,000 rays in one leaf, none elsewhere",
+           "the quadtrees of the plain implementation");
 }
 
 TEST_F(Directions, QuadtreesFollowTheRays) {

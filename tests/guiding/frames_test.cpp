@@ -2,6 +2,7 @@
 // Many frames in a row, with samples placed where surfaces are, as the path tracer does: trees grow
 // towards the samples, follow them, come to rest, and agree with the oracle all the way.
 #include "guiding_fixture.h"
+#include "numerics/record.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "shared/octree.h"
 
@@ -61,6 +62,8 @@ TEST_F(GuidingFrames, AllSamplesAtOnePointEndAtTheDeepestLevel) {
     EXPECT_EQ(state_.inner.size(), shader::OCTREE_MAX_DEPTH);
     EXPECT_EQ(tree_.splits + tree_.splits_refused + tree_.collapses, 0u);
     EXPECT_EQ(statistics_.sampled_leaves, 1u);
+    record("octree", "all samples at one point, frame after frame",
+           "one chain of nodes to the deepest level, and no further");
 }
 
 TEST_F(GuidingFrames, CellBordersAndPlacesFarOutside) {
@@ -85,6 +88,8 @@ TEST_F(GuidingFrames, CellBordersAndPlacesFarOutside) {
         }
     });
     EXPECT_GT(state_.inner.size(), 50u);
+    record("octree", "positions on cell borders, far outside, infinite, NaN",
+           "octree and caches of the plain implementation");
 }
 
 TEST_F(GuidingFrames, EverySampleHasRoomOnceTheTreeIsAtRest) {

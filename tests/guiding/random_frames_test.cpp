@@ -2,6 +2,7 @@
 // Single frames from random trees and random samples: the passes' trees and caches are the
 // oracle's, bit for bit. Each test also demands that the case it is named after occurred.
 #include "guiding_fixture.h"
+#include "numerics/record.h"
 #include "shared/octree.h"
 
 namespace vigil::test {
@@ -71,6 +72,7 @@ TEST_F(GuidingTest, SplitsWithoutRoomAreRefused) {
     }
     EXPECT_GT(refused, 0u);
     EXPECT_GT(splits, 0u);
+    record("octree", "node budget exhausted", "splits beyond it are refused in order, and counted");
 }
 
 TEST_F(GuidingTest, EveryBucketSize) {
@@ -157,6 +159,52 @@ TEST_F(GuidingTest, OneHugeLeafAmongEmptyOnes) {
         }
 }
 
+TEST_F(GuidingTest, MillionsOfSamplesInOneLeaf) {
+    // Counted as they come; stored as far as there is room. The largest picture, 16,384 pixels wide
+    // and high, has 2^29 samples.
+    for (const uint32_t count : {3000000u, 1u << 29}) {
+        SCOPED_TRACE(count);
+        constexpr uint32_t stored = 20000;
+        start(crowded(32, 3));
+        Dice dice(count);
+        state_ =
+            random_samples(dice, random_tree(dice, 20, 0.5), {}, settings_, guiding().header());
+        for (auto& [path, leaf] : state_.leaves)
+            leaf.count = leaf.room = 0;
+        LeafState& huge = std::next(state_.leaves.begin(), 50)->second;
+        huge.count = count;
+        huge.first_sample = 123;
+        huge.room = stored;
+        for (uint32_t i = 0; i < stored; ++i)
+            state_.samples[huge.first_sample + i] = random_light_sample(dice, {}, 50000, 2500);
+        frame();
+        if (HasFatalFailure()) return;
+        EXPECT_EQ(tree_.splits, 1u);
+        EXPECT_EQ(statistics_.dropped, count - stored);
+    }
+    record("octree", "3 million and 2^29 samples in one leaf, none elsewhere",
+           "octree and caches of the plain implementation; what has no room is counted");
+}
+
+TEST_F(GuidingTest, ThresholdsOfOneAndOfTwoToThe31) {
+    for (const uint32_t threshold : {1u, 0x80000000u}) {
+        SCOPED_TRACE(threshold);
+        shader::GuidingSettings settings = settings_with(32);
+        settings.split = threshold;
+        settings.collapse = threshold;
+        start(settings, 64);
+        for (const uint32_t nodes : {1u, 20u, 64u}) {
+            Dice dice(nodes);
+            state_ = random_samples(dice, random_tree(dice, nodes, 0.3), {}, settings_with(32),
+                                    guiding().header());
+            frame();
+            if (HasFatalFailure()) return;
+        }
+    }
+    record("octree", "thresholds of 1 and 2^31 samples",
+           "octree and caches of the plain implementation");
+}
+
 TEST_F(GuidingTest, NoSamplesAtAll) {
     start(settings_with(32));
     Dice dice(15);
@@ -172,6 +220,7 @@ TEST_F(GuidingTest, NoSamplesAtAll) {
         EXPECT_EQ(statistics_.cached_leaves, 0u);
     }
     EXPECT_GT(frames, 3);
+    record("octree", "no samples anywhere", "the tree vanishes, a level in a frame");
 }
 
 TEST_F(GuidingTest, HysteresisHoldsBucketsThatWouldBeMerged) {

@@ -19,9 +19,6 @@
 namespace vigil::test {
 namespace {
 
-constexpr uint32_t stream_count =
-    4; // STREAM_COUNT of pathtrace/path.glsl; camera rays use stream 0
-
 class Agreement : public RenderTest {
 protected:
     static std::vector<shader::PrimaryHit> primary_hits() {
@@ -131,7 +128,7 @@ TEST_F(Agreement, CameraRaysHitWhatBruteForceHits) {
             ray.direction = glm::normalize(frame.camera_forward + screen.x * frame.camera_right -
                                            screen.y * frame.camera_up);
             ray.t_max = 1e30f;
-            shader::Random numbers = shader::random_begin(pixel, frame.frame * stream_count, 0);
+            shader::Random numbers = shader::random_path(pixel, {frame.frame, 0}, 0, 0); // camera rays
             const uint32_t seed = shader::random_next_words(numbers).x;
             const shader::Hit expected = brute_force(scene, ray, seed);
             ++pixels;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "light_scenes.h"
 
+#include <algorithm>
 #include <random>
 
 namespace vigil::test {
@@ -30,8 +31,9 @@ void hang(Level& level, const std::vector<Triangle>& triangles, int value) {
         bsp.texinfos.push_back(info);
     }
     for (const Triangle& triangle : triangles) {
+        const glm::vec3 across = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
         const glm::vec3 normal =
-            glm::normalize(glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0));
+            glm::length(across) > 0.0f ? glm::normalize(across) : glm::vec3(0, 0, -1);
         BspFace face;
         face.plane = static_cast<uint32_t>(bsp.planes.size());
         bsp.planes.push_back({normal, glm::dot(normal, triangle.v0), 3});
@@ -175,7 +177,107 @@ LightScene moving() {
     return scene;
 }
 
+LightScene many_brightnesses() {
+    LightScene scene =
+        hall("ManyBrightnesses", scattered(16, 12, under_the_roof_low, under_the_roof_high, 11), 1);
+    float radiance = 1e-12f;
+    for (uint32_t id = 0; id < 9; ++id, radiance *= 1000.0f) {
+        const glm::vec3 at(-160.0f + 40.0f * static_cast<float>(id), 30.0f, 150.0f);
+        scene.shot.dynamic_lights.push_back({100 + id, at, 6.0f, glm::vec3(radiance)});
+    }
+    scene.spread = false; // the brightest is all that is drawn
+    scene.extreme = "radiance from 1e-12 to 1e12 in one room";
+    return scene;
+}
+
+LightScene needles_and_specks() {
+    std::vector<Triangle> triangles =
+        scattered(24, 1e-4f, under_the_roof_low, under_the_roof_high, 12);
+    for (Triangle triangle : scattered(24, 20, under_the_roof_low, under_the_roof_high, 13)) {
+        // A needle of 20 by a thousandth of a unit, and the same without any width.
+        const glm::vec3 along = triangle.v1 - triangle.v0, across = triangle.v2 - triangle.v0;
+        triangle.v2 = triangle.v0 + 0.5f * along + 5e-5f * across;
+        triangles.push_back(triangle);
+        triangle.v2 = triangle.v0 + 0.5f * along;
+        triangles.push_back(triangle);
+    }
+    for (const Triangle& triangle : scattered(8, 24, under_the_roof_low, under_the_roof_high, 14))
+        triangles.push_back(triangle);
+    LightScene scene = hall("NeedlesAndSpecks", triangles, 100);
+    scene.spread = false;
+    scene.extreme = "areas of 1e-8, needles of 20 by 0.001 units, no width at all, beside lamps";
+    return scene;
+}
+
+LightScene through_the_floor() {
+    // Upright, standing on the floor, and reaching through it by a third.
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 24; ++i) {
+        const float x = -140.0f + 10.0f * static_cast<float>(i), low = i % 2 == 0 ? 0.0f : -6.0f;
+        const float y = 8.0f * static_cast<float>(i % 5) - 16.0f;
+        triangles.push_back({{x, y - 8, low}, {x, y, low + 18.0f}, {x, y + 8, low}});
+    }
+    LightScene scene = hall("ThroughTheFloor", triangles, 100);
+    scene.detectable = 0.1;
+    scene.extreme = "lamps that touch the surface and cross its horizon";
+    return scene;
+}
+
+LightScene behind_the_roof() {
+    // Above the roof, turned to the floor: all of them might shine, and none does.
+    std::vector<Triangle> triangles = scattered(40, 30, {-150, -150, 600}, {150, 150, 700}, 15);
+    for (Triangle& triangle : triangles)
+        if (glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0).z > 0.0f)
+            std::swap(triangle.v1, triangle.v2);
+    LightScene scene = hall("BehindTheRoof", triangles, 200);
+    scene.dark = true;
+    scene.extreme = "every light hidden";
+    return scene;
+}
+
+LightScene all_black() {
+    std::vector<Triangle> triangles =
+        scattered(40, 12, under_the_roof_low, under_the_roof_high, 16);
+    for (Triangle& triangle : triangles)
+        triangle.style = dark_style;
+    LightScene scene = hall("AllBlack", triangles, 100);
+    scene.shot.dark_styles = {dark_style};
+    scene.dark = true;
+    scene.extreme = "every light black";
+    return scene;
+}
+
+LightScene far_away() {
+    LightScene scene =
+        hall("FarAway", scattered(24, 12, under_the_roof_low, under_the_roof_high, 17), 100);
+    // The farthest corner: all of the level lies within the coordinates of the format.
+    const glm::vec3 by(32000.0f, -32000.0f, 32000.0f);
+    scene.edit = [before = scene.edit, by](Level& level) {
+        before(level);
+        Bsp& bsp = level.bsp;
+        for (glm::vec3& vertex : bsp.vertices)
+            vertex += by;
+        for (BspPlane& plane : bsp.planes)
+            plane.dist += glm::dot(plane.normal, by);
+        const auto move = [&](auto& boxed) {
+            boxed.mins += by;
+            boxed.maxs += by;
+        };
+        std::ranges::for_each(bsp.nodes, move);
+        std::ranges::for_each(bsp.leafs, move);
+        std::ranges::for_each(bsp.models, move);
+    };
+    scene.shot.view.origin += by;
+    scene.extreme = "a room at coordinates of 32,000";
+    return scene;
+}
+
 } // namespace
+
+std::vector<LightScene> extreme_light_scenes() {
+    return {many_brightnesses(), needles_and_specks(), through_the_floor(),
+            behind_the_roof(),   all_black(),          far_away()};
+}
 
 std::vector<LightScene> light_scenes() {
     return {one_light(),
@@ -186,6 +288,10 @@ std::vector<LightScene> light_scenes() {
             in_the_plane(),
             rooms(),
             moving()};
+}
+
+void hang_scattered(Level& level, int count, float size, int value) {
+    hang(level, scattered(count, size, under_the_roof_low, under_the_roof_high, 18), value);
 }
 
 } // namespace vigil::test

@@ -23,8 +23,20 @@ struct LightScene {
     double detectable = 0.05;
     /// No light reaches what is seen.
     bool dark = false;
+    /// Draws spread over many lights, so that an error in probabilities can be found among them.
+    bool spread = true;
+    /// What a row of docs/numerics.md calls the scene; none: it is not one of those.
+    std::string extreme{};
 };
 
 std::vector<LightScene> light_scenes();
+
+/// Lights at the extremes: brightnesses from 1e-12 to 1e12 in one room, needles and lamps of a
+/// ten-thousandth of a unit, lamps that stand on the floor and reach through it, lamps behind walls
+/// alone, all switched off, and a room at the far end of the coordinates that levels may have.
+std::vector<LightScene> extreme_light_scenes();
+
+/// Hangs triangles of light of this size under the roof of the level `lamp`, turned anyhow.
+void hang_scattered(Level& level, int count, float size, int value);
 
 } // namespace vigil::test

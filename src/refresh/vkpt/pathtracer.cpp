@@ -71,7 +71,7 @@ void PathTracer::resize(glm::uvec2 size) {
     // All are made before any is kept, so that a size that does not fit leaves the old one working.
     gpu::Buffer surfaces = make(pixels * sizeof(shader::PrimaryHit), "primary hits");
     gpu::Buffer radiance = make(pixels * sizeof(glm::vec3), "radiance");
-    gpu::Buffer accumulation = make(pixels * sizeof(glm::vec3), "accumulation");
+    gpu::Buffer accumulation = make(2 * pixels * sizeof(glm::vec3), "accumulation");
     gpu::Buffer exposure =
         make(sizeof(float) + uint64_t{tiles.x} * tiles.y * sizeof(glm::vec2), "exposure");
     gpu::Buffer display = make(pixels * sizeof(uint32_t), "display");

@@ -44,7 +44,8 @@ double threshold_factor(glm::uvec2 picture_size) {
 }
 
 uint32_t scaled(int threshold, double factor, uint32_t least) {
-    return std::max(static_cast<uint32_t>(std::min(std::round(threshold * factor), 2e9)), least);
+    return std::max(static_cast<uint32_t>(std::min(std::round(threshold * factor), 2147483648.0)),
+                    least);
 }
 
 } // namespace

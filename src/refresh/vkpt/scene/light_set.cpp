@@ -1,10 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/scene/light_set.h"
 
+#include "common/log.h"
+#include "shared/firewall.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace vigil::vkpt {
+
+namespace {
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Whether nothing of a light would spread: the GPU adds its radiance to means.
+bool is_usable(const shader::Light& light) {
+    return is_finite(light.v0) && is_finite(light.e1) && is_finite(light.e2) &&
+           shader::is_sound(light.radiance);
+}
+
+} // namespace
 
 ModelGeometry dynamic_light_geometry(uint32_t material) {
     ModelGeometry geometry;
@@ -52,6 +70,15 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
     const size_t style = static_cast<size_t>(source.style);
     const float dim = style < styles_.size() ? styles_[style] : 1.0f;
     light.radiance = source.radiance * tint * (source.coverage * dim * scale_);
+    if (is_usable(light))
+        refused_.erase(id);
+    else {
+        light = {};
+        if (refused_.insert(id).second)
+            log_warning("light {}: its place or its radiance is not finite, or is negative: it "
+                        "stays dark",
+                        id);
+    }
     shader::Light& old = lights_[id];
     if (std::memcmp(&old, &light, sizeof(light)) == 0) return;
     ++revision_;

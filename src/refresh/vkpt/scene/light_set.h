@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All lights of a frame under stable ids: those of the static world first, then those of entities
 // and dynamic lights in slots that stay theirs while they exist. A vanished light's slot is dark
-// until another takes it.
+// until another takes it. A light whose place or radiance is not finite, or negative, stays dark.
 #pragma once
 
 #include "refresh/refresh.h"
@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -60,6 +61,7 @@ private:
     std::vector<shader::Light> lights_;
     std::map<uint64_t, Slot> slots_;
     std::vector<Slot> free_;
+    std::set<uint32_t> refused_; // ids of lights that are dark because they are not finite
     std::vector<float> styles_;
     float scale_ = 1.0f;
     uint32_t static_count_ = 0;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Keeps what is not finite, or negative, out of caches and means: counts each such value, marks the pixel whose path it was met on
+// (pt_view nonfinite), and hands on 0 instead. Nothing that is finite is changed, however bright.
+#ifndef VIGIL_PATHTRACE_FIREWALL_GLSL
+#define VIGIL_PATHTRACE_FIREWALL_GLSL
+
+#include "pathtrace/frame.glsl"
+#include "shared/firewall.h"
+
+/// The pixel whose path this invocation traces; NONE in passes that trace none.
+uint firewall_pixel = NONE;
+
+void report_unsound() {
+    // Stops below the top: a count that has come round to 0 would say that all is well.
+    if (counters.nonfinite < 0xf0000000u) atomicAdd(counters.nonfinite, 1u);
+    if (firewall_pixel != NONE) primary_hits[firewall_pixel].flags |= PRIMARY_HIT_NONFINITE;
+}
+
+float admit(float value) {
+    if (is_sound(value)) return value;
+    report_unsound();
+    return 0.0;
+}
+
+vec3 admit(vec3 value) {
+    if (is_sound(value)) return value;
+    report_unsound();
+    return vec3(0.0);
+}
+
+#endif

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Settings, counts and clocks at their ends, on whole pictures: shares of exactly 0 and 1, a
+// hundred thousand lights, octrees that split always and never, frames after years. What can be
+// unbiased is compared with brute force; nothing may be counted that is not finite (render_test.h).
+#include "light_scenes.h"
+#include "numerics/record.h"
+#include "refresh/vkpt/gpu/commands.h"
+#include "shared/firewall.h"
+
+#include <algorithm>
+#include <iostream>
+#include <random>
+
+namespace vigil::test {
+namespace {
+
+class Extremes : public RenderTest {
+protected:
+    using Settings = std::vector<std::pair<const char*, const char*>>;
+
+    static bool all_sound(std::span<const float> values) {
+        return std::ranges::all_of(values, [](float value) { return shader::is_sound(value); });
+    }
+    static double sum_of(std::span<const float> values) {
+        double sum = 0.0;
+        for (const float value : values)
+            sum += double(value);
+        return sum;
+    }
+
+    /// These settings have the mean of what was measured before.
+    void expect_equal_means(const Shot& shot, const PictureBatches& reference,
+                            const Settings& settings, int paths = 24) {
+        std::string name;
+        for (const auto& [variable, value] : settings) {
+            name += fmt::format("{} {}  ", variable, value);
+            set(variable, value);
+        }
+        SCOPED_TRACE(name);
+        const PictureBatches sampled = batches(shot, 12, paths, 5000, 4);
+        for (size_t channel = 0; channel < 3; ++channel) {
+            const Comparison seen = compare(sampled, reference, channel);
+            std::cout << fmt::format("{}{}: {}\n", name, "RGB"[channel], seen.text());
+            EXPECT_TRUE(seen.agrees(score_limit)) << seen.text();
+        }
+    }
+};
+
+TEST_F(Extremes, SharesOfZeroAndOne) {
+    load("rooms");
+    Shot shot;
+    shot.view = {{290, 20, 96}, {5, 55, 0}, 90};
+    set_size(32, 24);
+    set("pt_nee", "brute");
+    const PictureBatches brute = batches(shot, 24, 96, 1000, 4);
+    const Settings rows[] = {
+        {{"pt_nee", "vlc"}, {"pt_vlc_explore", "1"}, {"pt_explore_local", "1"}},
+        {{"pt_explore_local", "0"}},
+        {{"pt_vlc_explore", "0.05"}, {"pt_explore_local", "1"}},
+        {{"pt_explore_local", "0"}, {"pt_vlc_adapt", "0"}},
+        {{"pt_explore_local", "0.8"}, {"pt_guide", "cdq"}, {"pt_cdq_brdf", "1"}},
+        {{"pt_cdq_brdf", "0"}},
+        {{"pt_cdq_margin", "0"}, {"pt_vlc_hysteresis", "0"}},
+        {{"pt_cdq_margin", "1"}, {"pt_vlc_hysteresis", "1"}},
+    };
+    for (const Settings& row : rows)
+        expect_equal_means(shot, brute, row);
+    record("shares", "pt_vlc_explore 1, pt_explore_local 0 and 1", "mean that of brute force");
+    record("shares", "pt_cdq_brdf 0 and 1, pt_cdq_margin 0 and 1, pt_vlc_hysteresis 0 and 1",
+           "mean that of brute force");
+    // Without any exploring a light that no cache has is never found: documented, and darker.
+    set("pt_guide", "brdf");
+    set("pt_vlc_explore", "0");
+    const PictureBatches blind = batches(shot, 12, 24, 5000, 4);
+    double seen = 0.0, exact = 0.0;
+    for (size_t block = 0; block < brute.blocks(); ++block)
+        for (size_t channel = 0; channel < 3; ++channel) {
+            for (size_t batch = 0; batch < blind.batches(); ++batch)
+                seen += blind.value(batch, channel, block) / double(blind.batches());
+            for (size_t batch = 0; batch < brute.batches(); ++batch)
+                exact += brute.value(batch, channel, block) / double(brute.batches());
+        }
+    std::cout << fmt::format("without exploring {:.2f}% of the light\n", 100.0 * seen / exact);
+    EXPECT_LT(seen, 1.02 * exact);
+    EXPECT_GT(seen, 0.5 * exact);
+    record("shares", "pt_vlc_explore 0", "biased, as its help says: finite, and not brighter",
+           fmt::format("{:.1f}% of the light", 100.0 * seen / exact));
+}
+
+TEST_F(Extremes, AHundredThousandLights) {
+    // Turned anyhow, under the roof of the hall.
+    load("lamp", [](Level& level) {
+        for (BspTexInfo& info : level.bsp.texinfos)
+            info.value = 0;
+        hang_scattered(level, 100000, 1.5f, 40);
+    });
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    set_size(24, 16);
+    set("pt_bounces", "0");
+    set("pt_nee", "ris");
+    set("pt_ris_candidates", "1024");
+    const PictureBatches reference = batches(shot, 12, 64, 1000, 4);
+    EXPECT_GE(renderer().scene()->lights().lights().size(), 100000u);
+    for (const char* technique : {"sll", "lh", "vlc"})
+        expect_equal_means(shot, reference, {{"pt_nee", technique}}, 64);
+    record("scenes", "100,000 lights in one room", "sll, lh and vlc have the mean of ris");
+}
+
+TEST_F(Extremes, OctreesThatSplitAlwaysAndNever) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    set("pt_nee", "uniform");
+    const PictureBatches reference = batches(shot, 12, 32, 1000, 4);
+    const Settings always{
+        {"pt_oct_split", "1"}, {"pt_oct_collapse", "0"}, {"pt_oct_scale", "0.001"}};
+    const Settings never{{"pt_oct_split", "2147483647"},
+                         {"pt_oct_collapse", "2147483647"},
+                         {"pt_oct_scale", "1000"}};
+    set("pt_nee", "vlc");
+    set("pt_guide", "cdq");
+    expect_equal_means(shot, reference, always);
+    gpu::FrameCommands commands(renderer().device());
+    const uint32_t most = adapt(commands).nodes;
+    expect_equal_means(shot, reference, never);
+    const uint32_t least = adapt(commands).nodes;
+    EXPECT_GT(most, 8 * least);
+    EXPECT_LE(least, 9u);
+    record("octree", "the smallest and the largest thresholds that variables can have",
+           "mean that of a technique without one", fmt::format("{} and {} nodes", most, least));
+}
+
+TEST_F(Extremes, ClocksAndFrameCountersOfYears) {
+    load("opensky");
+    Shot shot{{{-192, -64, 56}, {0, 20, 0}, 90}, {}, {}, 0};
+    set("pt_nee", "vlc");
+    set("pt_guide", "cdq");
+    const double early = sum_of(radiance(shot).rgb);
+    for (const double time_s : {4095.999, 4096.0, 86400.0 * 365.0, 1e15}) {
+        shot.time_s = time_s;
+        const std::vector<float> seen = radiance(shot).rgb;
+        EXPECT_TRUE(all_sound(seen));
+        EXPECT_GT(sum_of(seen), 0.3 * early);
+    }
+    // The random sequence of frame 2^32 - 1, and the mean of as many.
+    shot.time_s = 0.0;
+    shader::FrameParams frame = params(shot);
+    for (const uint32_t number : {0x3fffffffu, 0x40000000u, 0xfffffffeu, 0xffffffffu}) {
+        frame.frame = number;
+        frame.accumulated = 0;
+        const std::vector<float> first = trace(frame, renderer().scene()->features(), 4);
+        EXPECT_TRUE(all_sound(first));
+        EXPECT_GT(sum_of(first), 0.3 * early);
+        frame.accumulated = number;
+        const std::vector<float> mean = trace(frame, renderer().scene()->features(), 4);
+        EXPECT_TRUE(all_sound(mean));
+        // One more of so many changes nothing to speak of.
+        EXPECT_NEAR(sum_of(mean), sum_of(first), 1e-4 * sum_of(first));
+    }
+    record("counters that wrap", "clocks of 4,096 seconds to 30 million years", "pictures go on");
+    record("counters that wrap", "frame 2^32 - 1 (2.3 years at 60 per second), averaged or not",
+           "finite, and the mean hardly moves");
+}
+
+TEST_F(Extremes, OnePixel) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    set("pt_nee", "vlc");
+    set("pt_guide", "cdq");
+    radiance(shot);
+    renderer().device().wait_idle();
+    renderer().path_tracer().resize({1, 1});
+    renderer().path_tracer().bind(*renderer().scene(), *renderer().technique());
+    const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 64);
+    ASSERT_EQ(pixel.size(), 3u);
+    EXPECT_TRUE(all_sound(pixel));
+    EXPECT_GT(pixel[0], 0.0f);
+    record("sizes", "one pixel", "lit, finite");
+    record("sizes", "16,384 x 16,384 pixels on a device that cannot",
+           "one message with the size, and the picture of before goes on (features_test.cpp)");
+}
+
+} // namespace
+} // namespace vigil::test
