@@ -21,16 +21,6 @@ float wrap_degrees(float degrees) {
 
 } // namespace
 
-ViewAxes view_axes(const glm::vec3& angles) {
-    const glm::vec3 s = glm::sin(glm::radians(angles)); // pitch, yaw, roll
-    const glm::vec3 c = glm::cos(glm::radians(angles));
-    ViewAxes axes;
-    axes.forward = {c.x * c.y, c.x * s.y, -s.x};
-    axes.right = {-s.z * s.x * c.y + c.z * s.y, -s.z * s.x * s.y - c.z * c.y, -s.z * c.x};
-    axes.up = {c.z * s.x * c.y + s.z * s.y, c.z * s.x * s.y - s.z * c.y, c.z * c.x};
-    return axes;
-}
-
 void Camera::set(const glm::vec3& origin, const glm::vec3& angles) {
     origin_ = origin;
     angles_ = {std::clamp(wrap_degrees(angles.x), -90.0f, 90.0f), wrap_degrees(angles.y),

@@ -4,20 +4,12 @@
 #pragma once
 
 #include "refresh/refresh.h"
+#include "world/view_axes.h"
 
 #include <glm/glm.hpp>
 #include <string>
 
 namespace vigil::client {
-
-/// Directions of a view with Quake's angles (degrees; pitch down positive, yaw counter-clockwise
-/// from +x, roll clockwise): unit vectors.
-struct ViewAxes {
-    glm::vec3 forward{1.0f, 0.0f, 0.0f};
-    glm::vec3 right{0.0f, -1.0f, 0.0f};
-    glm::vec3 up{0.0f, 0.0f, 1.0f};
-};
-ViewAxes view_axes(const glm::vec3& angles);
 
 /// What the held keys ask for, each in [-1, 1].
 struct FlightInput {
