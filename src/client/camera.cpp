@@ -31,10 +31,13 @@ void Camera::set_speed(float units_per_second) {
     speed_ = std::clamp(units_per_second, slowest, fastest);
 }
 
-void Camera::fly(const FlightInput& input, float seconds) {
+void Camera::look(const FlightInput& input, float seconds) {
     const glm::vec3 turned(-input.look_up, input.turn_left, 0.0f);
     if (turned != glm::vec3(0.0f)) set(origin_, angles_ + turned * (turn_speed * seconds));
+}
 
+void Camera::fly(const FlightInput& input, float seconds) {
+    look(input, seconds);
     const ViewAxes axes = view_axes(angles_);
     glm::vec3 direction = axes.forward * input.forward + axes.right * input.right +
                           glm::vec3(0.0f, 0.0f, 1.0f) * input.up;

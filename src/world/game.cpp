@@ -30,9 +30,18 @@ int64_t ticks_of(float seconds) {
     return std::max<int64_t>(1, std::llround(clamped * player::ticks_per_second));
 }
 
+namespace {
+
+/// What stands still must not tremble from rounding.
+glm::vec3 between(const glm::vec3& before, const glm::vec3& now, float fraction) {
+    return before == now ? now : glm::mix(before, now, fraction);
+}
+
+} // namespace
+
 Placement MovedModel::at(float fraction) const {
-    return {glm::mix(before.origin, now.origin, fraction),
-            glm::mix(before.angles, now.angles, fraction)};
+    return {between(before.origin, now.origin, fraction),
+            between(before.angles, now.angles, fraction)};
 }
 
 Game::Game(std::shared_ptr<const Level> level, const glm::vec3& start)
@@ -157,6 +166,8 @@ void Game::tick(const PlayerCommand& command, bool level_stands) {
         }
     }
     if (player_present_) move_player_one_tick(command, level_stands);
+    if (!level_stands)
+        bolts_.tick(*this, eye_at(1.0f), command.angles, command.attack && player_present_);
 }
 
 void Game::move_player_one_tick(const PlayerCommand& command, bool level_stands) {
@@ -190,7 +201,7 @@ glm::vec3 Game::eye_at(float fraction) const {
     const auto eye = [](const PlayerState& state) {
         return state.origin + glm::vec3(0.0f, 0.0f, state.eye_height() - state.step_left);
     };
-    return glm::mix(eye(player_before_), eye(player_), fraction);
+    return between(eye(player_before_), eye(player_), fraction);
 }
 
 std::optional<glm::vec3> Game::take_view() {

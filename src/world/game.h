@@ -7,6 +7,7 @@
 
 #include "world/actor.h"
 #include "world/area_portals.h"
+#include "world/bolts.h"
 #include "world/collision_world.h"
 #include "world/level.h"
 #include "world/player_movement.h"
@@ -69,6 +70,7 @@ public:
     float take_view_turn();
 
     std::vector<MovedModel> moved_models() const;
+    const Bolts& bolts() const { return bolts_; }
 
     /// Letters a to z as in a light style, of the styles that anything has set.
     const std::map<int, std::string>& light_styles() const { return light_styles_; }
@@ -89,7 +91,7 @@ public:
     Actor* actor(int number) const;
     const std::vector<std::unique_ptr<Actor>>& actors() const { return actors_; }
 
-    /// A shot from the eye hits what it hits, with this damage. Returns where.
+    /// What a shot on this way hits first takes the damage.
     Trace shoot(const glm::vec3& from, const glm::vec3& to, float damage);
 
 private:
@@ -112,6 +114,7 @@ private:
     std::vector<Placement> before_; ///< of movers_
     std::vector<Delayed> delayed_;
     std::map<int, std::string> light_styles_;
+    Bolts bolts_;
     PlayerState player_, player_before_;
     bool player_present_ = true;
     std::optional<glm::vec3> view_;

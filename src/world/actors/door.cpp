@@ -71,11 +71,12 @@ void Door::begin() {
     float shortest = std::numeric_limits<float>::max();
     for (const Door* door : team_)
         shortest = std::min(shortest, way(*door));
+    const float own_speed = speed_.speed;
     bool shot_open = false, named = false;
     Box bounds =
         placed_bounds(game().bsp().models[game().collision().obstacle(obstacle()).model], place());
     for (Door* door : team_) {
-        if (shortest > 0.0f) door->speed_.speed = speed_.speed * way(*door) / shortest;
+        if (shortest > 0.0f) door->speed_.speed = own_speed * way(*door) / shortest;
         shot_open |= door->health_ > 0.0f;
         named |= !door->targetname().empty();
         bounds = grown_to(bounds, game().collision().bounds(door->obstacle()));
