@@ -43,6 +43,13 @@ glm::vec3 slide_along(const glm::vec3& velocity, const glm::vec3& normal) {
     return slid;
 }
 
+/// True where two surfaces together hold up what lies on both.
+bool holds(const glm::vec3& a, const glm::vec3& b) {
+    constexpr float wall = -0.01f;
+    const glm::vec3 sum = a + b;
+    return a.z > wall && b.z > wall && sum.z >= steepest_floor * glm::length(sum) && sum.z > 0.0f;
+}
+
 class Move {
 public:
     Move(const PlayerState& state, const PlayerCommand& command, const CollisionWorld& world,
@@ -64,6 +71,7 @@ private:
     void duck();
     void find_ground();
     void land(const Trace& below);
+    void find_wedge(const glm::vec3& begin);
     void find_water();
     void find_ladder();
     void try_water_jump(const glm::vec3& ahead);
@@ -129,12 +137,24 @@ void Move::find_ground() {
             trace(state_.origin, state_.origin - glm::vec3(0.0f, 0.0f, ground_probe));
         ground_contents_ = below.contents;
         ground_surface_ = below.surface_flags;
-        if (!below.hit() || (below.normal.z < steepest_floor && !below.start_solid))
+        const bool steep = below.normal.z < steepest_floor && !below.start_solid && !state_.wedged;
+        if (!below.hit() || steep)
             state_.ground = owner_none;
         else
             land(below);
         touch(below.owner);
     }
+}
+
+/// At the top of a jump one is this slow for half of these ticks.
+void Move::find_wedge(const glm::vec3& begin) {
+    constexpr float slow = 20.0f;
+    constexpr int long_ticks = ticks_per_second / 10;
+    const bool rests = state_.ground == owner_none && state_.water_level < 2 && !state_.on_ladder &&
+                       state_.hold == Hold::None &&
+                       glm::distance(begin, state_.origin) < slow * tick_s;
+    state_.still_ticks = rests ? state_.still_ticks + 1 : 0;
+    if (state_.still_ticks >= long_ticks) state_.wedged = true;
 }
 
 void Move::find_water() {
@@ -168,9 +188,9 @@ void Move::try_water_jump(const glm::vec3& ahead) {
     if (state_.water_level != 2) return;
     glm::vec3 spot = state_.origin + 30.0f * ahead;
     spot.z += 4.0f;
-    if ((world_.contents_at(spot) & CONTENTS_SOLID) == 0) return;
+    if (world_.is_free(spot, {}, CONTENTS_SOLID)) return;
     spot.z += 16.0f;
-    if (world_.contents_at(spot) != 0) return;
+    if (world_.contents_at(spot) != 0 || !world_.is_free(spot, {}, CONTENTS_SOLID)) return;
     state_.velocity = water_jump_forward * ahead;
     state_.velocity.z = water_jump_up;
     state_.hold = Hold::WaterJump;
@@ -310,6 +330,7 @@ void Move::slide() {
     const glm::vec3 wanted = state_.velocity;
     std::array<glm::vec3, most_planes> planes;
     size_t plane_count = 0;
+    state_.wedged = false;
     float left_s = tick_s;
     for (int bump = 0; bump < most_bumps; ++bump) {
         const Trace way = trace(state_.origin, state_.origin + left_s * state_.velocity);
@@ -329,6 +350,8 @@ void Move::slide() {
             break;
         }
         planes[plane_count++] = way.normal;
+        for (size_t i = 0; i + 1 < plane_count; ++i)
+            state_.wedged |= holds(planes[i], way.normal);
 
         // Along the first plane from which no other is run into; else along the crease of two.
         bool found = false;
@@ -385,6 +408,7 @@ void Move::step_and_slide() {
         state_ = low;
         return;
     }
+    state_.wedged = low.wedged && state_.origin.z <= low.origin.z;
     state_.velocity.z = low.velocity.z;
     const float rise = state_.origin.z - low.origin.z;
     if (before.ground != owner_none && rise > 1.0f)
@@ -392,6 +416,7 @@ void Move::step_and_slide() {
 }
 
 PlayerState Move::tick() {
+    const glm::vec3 begin = state_.origin;
     state_.step_left = std::max(0.0f, state_.step_left - view_step_speed * tick_s);
     free_from_solid();
     duck();
@@ -416,6 +441,7 @@ PlayerState Move::tick() {
             walk();
     }
     state_.velocity = glm::clamp(state_.velocity, glm::vec3(-fastest), glm::vec3(fastest));
+    find_wedge(begin);
     find_ground();
     find_water();
     return state_;

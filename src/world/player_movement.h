@@ -65,6 +65,10 @@ struct PlayerState {
     bool ducked = false;
     bool jump_held = false; ///< a jump needs the key to come up first
     bool on_ladder = false;
+    /// Held up by surfaces that are each too steep to stand on. The original leaves one stuck
+    /// there, unable to jump; here it counts as ground.
+    bool wedged = false;
+    int still_ticks = 0;     ///< in the air without getting anywhere
     int water_level = 0;     ///< 0 dry, 1 feet, 2 waist, 3 eyes
     uint32_t water_type = 0; ///< ContentsFlag bits of what the feet are in
     Hold hold = Hold::None;

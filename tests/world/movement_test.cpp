@@ -182,6 +182,41 @@ TEST(Movement, SwimsAtHalfSpeedAndSinks) {
     EXPECT_GT(state.velocity.z, 50.0f);
 }
 
+TEST(Movement, LeapsOutOfWaterOverItsEdge) {
+    BoxLevel level = BoxLevel::with_floor();
+    level.add_box({{100, -500, 0}, {1000, 500, 200}}); // the bank, 8 over the water
+    level.flood(192, CONTENTS_WATER);
+    const Ground ground(level);
+    PlayerCommand command = ahead();
+    command.up = 200.0f;
+    const PlayerState state =
+        move_player_for(place_player({0, 0, 150}, ground.world), command, ground.world, 300);
+    EXPECT_GT(state.origin.x, 110.0f);
+    EXPECT_GT(state.origin.z, 223.0f);
+}
+
+TEST(Movement, JumpsOutOfAWedge) {
+    BoxLevel level = BoxLevel::with_floor();
+    const float a = glm::radians(60.0f);
+    for (const float side : {-1.0f, 1.0f}) {
+        // A groove along y of two slopes that nobody can stand on.
+        const std::array<glm::vec4, 6> planes = {glm::vec4(-side * std::sin(a), 0, std::cos(a), 0),
+                                                 {side, 0, 0, 40},
+                                                 {-side, 0, 0, 0},
+                                                 {0, 1, 0, 500},
+                                                 {0, -1, 0, 500},
+                                                 {0, 0, -1, 0}};
+        level.add_brush(planes);
+    }
+    const Ground ground(level);
+    PlayerState state =
+        move_player_for(place_player({0, 0, 200}, ground.world), {}, ground.world, 300);
+    const float rest = state.origin.z;
+    EXPECT_GT(rest, 40.0f);
+    state = move_player_for(state, upwards(200), ground.world, 20);
+    EXPECT_GT(state.origin.z, rest + 20.0f);
+}
+
 TEST(Movement, ClimbsLadders) {
     BoxLevel level = BoxLevel::with_floor();
     level.add_box({{100, -64, 0}, {116, 64, 512}}, CONTENTS_SOLID | CONTENTS_LADDER);
