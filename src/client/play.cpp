@@ -142,7 +142,10 @@ bool Play::set_walking(bool walking, Session& session) {
         const glm::vec3 wanted =
             session.camera().origin() - glm::vec3(0.0f, 0.0f, player::standing_eye);
         const PlayerState there = place_player(wanted, game_->collision());
-        roomy = game_->collision().is_free(there.origin, player::standing_box, mask_player_solid);
+        // Outside of the level there are no brushes, but its leaf is solid.
+        const CollisionWorld& collision = game_->collision();
+        roomy = collision.is_free(there.origin, player::standing_box, mask_player_solid) &&
+                (collision.contents_at(there.origin) & CONTENTS_SOLID) == 0;
         PlayerState& player = game_->player();
         const glm::vec3 origin = roomy ? there.origin : player.origin;
         player = {};

@@ -161,6 +161,20 @@ void check_brushes(const Bsp& bsp) {
     }
 }
 
+/// A trace may meet every brush of every leaf, and looks at all their sides.
+void check_sides_in_leafs(const Bsp& bsp) {
+    uint64_t sides = 0;
+    for (size_t i = 0; i < bsp.leafs.size(); ++i) {
+        const BspLeaf& leaf = bsp.leafs[i];
+        for (uint32_t entry = 0; entry < leaf.leaf_brush_count; ++entry)
+            sides += bsp.brushes[bsp.leaf_brushes[leaf.first_leaf_brush + entry]].side_count;
+        if (sides > bsp_max_range_total)
+            Record{bsp, "leafs", "leaf", i}.bad(
+                "brings the sides of brushes in leafs to {}, most of them again (limit {})", sides,
+                bsp_max_range_total);
+    }
+}
+
 void check_areas(const Bsp& bsp) {
     uint64_t portals = 0;
     for (size_t i = 0; i < bsp.areas.size(); ++i)
@@ -255,6 +269,7 @@ void check_bsp(const Bsp& bsp) {
     check_faces(bsp);
     check_leafs(bsp);
     check_brushes(bsp);
+    check_sides_in_leafs(bsp);
     check_areas(bsp);
     check_nodes(bsp);
     check_models(bsp);
