@@ -20,6 +20,7 @@ namespace {
 
 /// Targets that fire each other in a circle would never end.
 constexpr int most_uses_per_tick = 4096;
+constexpr int most_depth = 64;
 constexpr size_t most_delayed = 65536;
 
 } // namespace
@@ -127,15 +128,19 @@ void Game::fire(const Entity& keys) {
     const bool is_door = starts_nocase(keys.classname(), "func_door");
     for (Actor* target : find_actors(keys.get_string("target"))) {
         if (is_door && equal_nocase(target->keys().classname(), "func_areaportal")) continue;
-        if (++uses_ > most_uses_per_tick) {
+        if (++uses_ > most_uses_per_tick || depth_ >= most_depth) {
             if (!uses_reported_)
-                log_warning("{}: targets fire each other without end; they stop at {} a tick",
-                            level_->name, most_uses_per_tick);
+                log_warning("{}: targets fire each other without end; they stop at {} a tick and "
+                            "{} in a row",
+                            level_->name, most_uses_per_tick, most_depth);
             uses_reported_ = true;
             return;
         }
         // Of those found, one may have removed another.
-        if (!target->removed()) target->use();
+        if (target->removed()) continue;
+        ++depth_;
+        target->use();
+        --depth_;
     }
 }
 

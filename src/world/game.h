@@ -120,7 +120,8 @@ private:
     std::optional<glm::vec3> view_;
     float view_turn_ = 0.0f;
     int64_t ticks_ = 0;
-    int uses_ = 0; ///< in this tick
+    int uses_ = 0;  ///< in this tick
+    int depth_ = 0; ///< of targets that fire targets now
     bool uses_reported_ = false;
 };
 
