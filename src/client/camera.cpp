@@ -21,16 +21,6 @@ float wrap_degrees(float degrees) {
 
 } // namespace
 
-ViewAxes view_axes(const glm::vec3& angles) {
-    const glm::vec3 s = glm::sin(glm::radians(angles)); // pitch, yaw, roll
-    const glm::vec3 c = glm::cos(glm::radians(angles));
-    ViewAxes axes;
-    axes.forward = {c.x * c.y, c.x * s.y, -s.x};
-    axes.right = {-s.z * s.x * c.y + c.z * s.y, -s.z * s.x * s.y - c.z * c.y, -s.z * c.x};
-    axes.up = {c.z * s.x * c.y + s.z * s.y, c.z * s.x * s.y - s.z * c.y, c.z * c.x};
-    return axes;
-}
-
 void Camera::set(const glm::vec3& origin, const glm::vec3& angles) {
     origin_ = origin;
     angles_ = {std::clamp(wrap_degrees(angles.x), -90.0f, 90.0f), wrap_degrees(angles.y),
@@ -41,10 +31,13 @@ void Camera::set_speed(float units_per_second) {
     speed_ = std::clamp(units_per_second, slowest, fastest);
 }
 
-void Camera::fly(const FlightInput& input, float seconds) {
+void Camera::look(const FlightInput& input, float seconds) {
     const glm::vec3 turned(-input.look_up, input.turn_left, 0.0f);
     if (turned != glm::vec3(0.0f)) set(origin_, angles_ + turned * (turn_speed * seconds));
+}
 
+void Camera::fly(const FlightInput& input, float seconds) {
+    look(input, seconds);
     const ViewAxes axes = view_axes(angles_);
     glm::vec3 direction = axes.forward * input.forward + axes.right * input.right +
                           glm::vec3(0.0f, 0.0f, 1.0f) * input.up;

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The free-flying camera: where the eye is, where it looks, and how held keys and the mouse move
-// it. It passes through walls; walking does not exist here.
+// The camera: where the eye is, where it looks, and how held keys and the mouse move it when it
+// flies freely, through walls. Where a player walks, client/play.h places it.
 #pragma once
 
 #include "refresh/refresh.h"
+#include "world/view_axes.h"
 
 #include <glm/glm.hpp>
 #include <string>
 
 namespace vigil::client {
-
-/// Directions of a view with Quake's angles (degrees; pitch down positive, yaw counter-clockwise
-/// from +x, roll clockwise): unit vectors.
-struct ViewAxes {
-    glm::vec3 forward{1.0f, 0.0f, 0.0f};
-    glm::vec3 right{0.0f, -1.0f, 0.0f};
-    glm::vec3 up{0.0f, 0.0f, 1.0f};
-};
-ViewAxes view_axes(const glm::vec3& angles);
 
 /// What the held keys ask for, each in [-1, 1].
 struct FlightInput {
@@ -27,6 +19,7 @@ struct FlightInput {
     float turn_left = 0.0f;
     float look_up = 0.0f;
     bool fast = false;
+    bool attack = false; // of a player
 };
 
 class Camera {
@@ -45,7 +38,10 @@ public:
     /// Clamped to [slowest, fastest].
     void set_speed(float units_per_second);
 
-    /// Moves by the held keys for `seconds`. Flight follows the view; up and down are world axes.
+    /// Turns by the held keys for `seconds`.
+    void look(const FlightInput& input, float seconds);
+    /// Turns and moves by the held keys for `seconds`. Flight follows the view; up and down are
+    /// world axes.
     void fly(const FlightInput& input, float seconds);
     /// Turns by mouse motion: `delta` in counts (right and down positive), `degrees_per_count`.
     void turn(const glm::vec2& delta, float degrees_per_count, bool invert);

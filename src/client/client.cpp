@@ -38,6 +38,7 @@ Client::Client(const ClientParts& parts)
     add_view_commands(*this);
     add_picture_commands(*this);
     add_fly_command(*this);
+    add_play_commands(*this);
     add_guiding_commands(*this);
     add_preset_commands(*this);
     add_demo_commands(*this);
@@ -45,6 +46,7 @@ Client::Client(const ClientParts& parts)
 
 Client::~Client() {
     keep_recording();
+    end_play();
 }
 
 void Client::quit() {
@@ -139,7 +141,11 @@ void Client::move_camera(double seconds) {
         if (!attempt("demomap", [&] { demo_->begin_frame(seconds, session_); })) demo_.reset();
         return;
     }
-    session_.camera().fly(held, static_cast<float>(std::min(seconds, longest_move_s)));
+    const double moved_s = std::min(seconds, longest_move_s);
+    if (play_)
+        play_->frame(held, moved_s, variables_->pt_accumulate != 0, session_);
+    else
+        session_.camera().fly(held, static_cast<float>(moved_s));
     session_.advance(seconds);
 }
 
@@ -164,13 +170,37 @@ void Client::load_map(std::string_view name) {
     end_flight();
     end_demo();
     keep_recording();
+    end_play();
     session_.load_map(name);
+    if (!headless()) start_play();
     console_.set_open(false);
     if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
     last_frame_s_ = clock_.seconds();
 }
 
+void Client::start_play() {
+    end_play();
+    play_ = std::make_unique<Play>(session_);
+}
+
+void Client::end_play() {
+    if (!play_) return;
+    if (play_->recording()) attempt("walkrecord", [this] { write_walk(); });
+    Play::clear(session_);
+    play_.reset();
+}
+
+void Client::write_walk() {
+    const std::optional<Walk> walk = play_->take_recording();
+    if (!walk || walk->ticks() == 0)
+        fail("{}: nothing was recorded: no time has passed", play_->recorded_path());
+    const std::filesystem::path file = output_path(play_->recorded_path());
+    write_file(file, walk->text());
+    log_info("wrote {} ({} ticks)", file.string(), walk->ticks());
+}
+
 void Client::start_flight(Route route, RunPlan plan) {
+    end_play();
     flight_ = std::make_unique<FlyThrough>(std::move(route), std::move(plan));
     console_.set_open(false);
 }
@@ -202,6 +232,7 @@ void Client::start_demo(DemoPlayback demo) {
     end_flight();
     end_demo();
     keep_recording();
+    end_play();
     demo.start(session_);
     demo_ = std::make_unique<DemoPlayback>(std::move(demo));
     console_.set_open(false);

@@ -12,6 +12,7 @@
 #include "client/input.h"
 #include "client/key_bindings.h"
 #include "client/overlay.h"
+#include "client/play.h"
 #include "client/session.h"
 #include "common/command.h"
 #include "common/stopwatch.h"
@@ -64,6 +65,15 @@ public:
 
     /// Loads a level; while it loads, the window says so. Throws Error and keeps the level before.
     void load_map(std::string_view name);
+    /// Plays the level from its start. A window does so as soon as a level is loaded; without one
+    /// the level stands as it is drawn until `noclip` or `walk`, and the camera flies.
+    void start_play();
+    /// The level as it is drawn, and free flight. Keeps a walk that is being recorded.
+    void end_play();
+    Play* play() { return play_.get(); }
+    /// Writes the walk that is being recorded, and says so. Throws Error when that fails.
+    void write_walk();
+
     /// Starts a flight, or ends the one under way.
     void start_flight(Route route, RunPlan plan);
     void end_flight() { flight_.reset(); }
@@ -84,7 +94,7 @@ public:
     /// Writes a demo as `path` below outdir, and says so. Throws Error.
     void write_recording(const std::string& path, DemoRecorder& recorder);
 
-    /// Flights, demos and recordings that ended with an error so far.
+    /// Flights, demos, recordings and the like that ended with an error so far.
     int failures() const { return failures_; }
 
 private:
@@ -115,6 +125,7 @@ private:
     HeldButtons buttons_;
     Input input_;
 
+    std::unique_ptr<Play> play_;
     std::unique_ptr<FlyThrough> flight_;
     std::unique_ptr<DemoPlayback> demo_;
     std::unique_ptr<DemoRecorder> recorder_;
@@ -134,6 +145,7 @@ void add_level_commands(Client& client);
 void add_view_commands(Client& client);
 void add_picture_commands(Client& client);
 void add_fly_command(Client& client);
+void add_play_commands(Client& client);
 void add_guiding_commands(Client& client);
 void add_preset_commands(Client& client);
 void add_demo_commands(Client& client);

@@ -145,7 +145,7 @@ std::vector<dm2::EntityState> DemoRecorder::states_of(const refresh::Frame& fram
     for (const Known& known : entities_) {
         const auto entity =
             std::ranges::find(frame.entities, known.session_number, &refresh::Entity::number);
-        if (entity == frame.entities.end()) continue;
+        if (entity == frame.entities.end() || entity->model < 0) continue;
         dm2::EntityState state;
         state.number = known.number;
         state.models[0] = known.model;

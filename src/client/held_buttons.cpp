@@ -13,17 +13,18 @@ void HeldButtons::add_commands(CommandRegistry& commands) {
         std::string_view help;
     };
     static constexpr Row rows[] = {
-        {Forward, "forward", "fly forward"},
-        {Back, "back", "fly backward"},
-        {MoveLeft, "moveleft", "fly left"},
-        {MoveRight, "moveright", "fly right"},
-        {MoveUp, "moveup", "fly up"},
-        {MoveDown, "movedown", "fly down"},
+        {Forward, "forward", "walk or fly forward"},
+        {Back, "back", "walk or fly backward"},
+        {MoveLeft, "moveleft", "walk or fly left"},
+        {MoveRight, "moveright", "walk or fly right"},
+        {MoveUp, "moveup", "jump, swim or fly up"},
+        {MoveDown, "movedown", "crouch, dive or fly down"},
         {TurnLeft, "left", "turn left"},
         {TurnRight, "right", "turn right"},
         {LookUp, "lookup", "look up"},
         {LookDown, "lookdown", "look down"},
-        {Fast, "speed", "fly three times as fast"},
+        {Fast, "speed", "walk slowly, or fly three times as fast"},
+        {Attack, "attack", "shoot the blaster"},
     };
     for (const Row& row : rows) {
         State& state = states_[row.button];
@@ -60,6 +61,7 @@ FlightInput HeldButtons::take_frame() {
     input.turn_left = take(TurnLeft) - take(TurnRight);
     input.look_up = take(LookUp) - take(LookDown);
     input.fast = take(Fast) > 0.0f;
+    input.attack = take(Attack) > 0.0f;
     return input;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The +commands that fly the camera: which are held, by which keys. A press shorter than a frame
-// still counts as half a frame, because frames are long where there is no GPU.
+// The +commands that move the player or fly the camera: which are held, by which keys. A press
+// shorter than a frame still counts as half a frame, because frames are long where there is no GPU.
 #pragma once
 
 #include "client/camera.h"
@@ -34,6 +34,7 @@ private:
         LookUp,
         LookDown,
         Fast,
+        Attack,
         ButtonCount
     };
     struct State {

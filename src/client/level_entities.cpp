@@ -105,8 +105,8 @@ LevelEntities::LevelEntities(const Bsp& bsp, const RegisterModel& register_model
     }
 }
 
-bool LevelEntities::place(const Entity& source, int number, std::string_view model,
-                          const RegisterModel& register_model) {
+bool LevelEntities::add(const Entity& source, int number, std::string_view model,
+                        const RegisterModel& register_model) {
     refresh::Entity entity;
     try {
         entity.model = register_model(model);
@@ -118,13 +118,15 @@ bool LevelEntities::place(const Entity& source, int number, std::string_view mod
     entity.origin = source.get_vec3("origin");
     entities_.push_back(entity);
     models_.emplace_back(model);
+    handles_.push_back(entity.model);
     return true;
 }
 
 void LevelEntities::add_brush_model(const Entity& source, int number,
                                     const RegisterModel& register_model) {
-    if (is_invisible_class(source.classname()) || starts_hidden(source)) return;
-    if (!place(source, number, *source.find("model"), register_model)) return;
+    if (is_invisible_class(source.classname())) return;
+    if (!add(source, number, *source.find("model"), register_model)) return;
+    if (starts_hidden(source)) entities_.back().model = -1;
     if (!travels(source.classname())) entities_.back().angles = entity_angles(source);
     if (const std::string* target = source.find("targetname")) {
         targets_.emplace(*target, entities_.size() - 1);
@@ -133,11 +135,24 @@ void LevelEntities::add_brush_model(const Entity& source, int number,
 
 void LevelEntities::add_misc_model(const Entity& source, int number,
                                    const RegisterModel& register_model) {
-    if (!place(source, number, *source.find("model"), register_model)) return;
+    if (!add(source, number, *source.find("model"), register_model)) return;
     refresh::Entity& entity = entities_.back();
     entity.angles = entity_angles(source);
     entity.skin = std::max(0, source.get_int("skin"));
     entity.frame = entity.old_frame = std::max(0, source.get_int("frame"));
+}
+
+bool LevelEntities::place(int number, const glm::vec3& origin, const glm::vec3& angles,
+                          bool shown) {
+    const auto found = std::ranges::lower_bound(entities_, number, {}, &refresh::Entity::number);
+    if (found == entities_.end() || found->number != number) return false;
+    const refresh::ModelHandle model =
+        shown ? handles_[static_cast<size_t>(found - entities_.begin())] : -1;
+    if (found->origin == origin && found->angles == angles && found->model == model) return false;
+    found->origin = origin;
+    found->angles = angles;
+    found->model = model;
+    return true;
 }
 
 void LevelEntities::turn(std::string_view target, const glm::vec3& angles) {

@@ -30,8 +30,9 @@ void Session::load_map(std::string_view name) {
     level_ = std::move(level);
 
     const Bsp& bsp = level_->bsp;
-    entities_ = LevelEntities(
+    drawn_entities_ = LevelEntities(
         bsp, [this](std::string_view model) { return renderer_.register_model(model); });
+    entities_ = drawn_entities_;
     styles_ = LightStyles(bsp.entities);
     dynamic_lights_.clear();
     played_.reset();
@@ -44,6 +45,17 @@ void Session::load_map(std::string_view name) {
     ++scene_changes_;
     log_info("{}: {} faces, {} clusters, {} models placed; loaded in {:.2f} s", level_->name,
              bsp.faces.size(), bsp.cluster_count, entities_.entities().size(), watch.seconds());
+}
+
+void Session::place_entity(int number, const glm::vec3& origin, const glm::vec3& angles,
+                           bool shown) {
+    if (entities_.place(number, origin, angles, shown)) ++scene_changes_;
+}
+
+void Session::restore_level() {
+    entities_ = drawn_entities_;
+    styles_ = LightStyles(level_->bsp.entities);
+    ++scene_changes_;
 }
 
 void Session::turn_entities(std::string_view target, const glm::vec3& angles) {
@@ -69,6 +81,13 @@ void Session::set_dynamic_light(const refresh::DynamicLight& light) {
 void Session::clear_dynamic_lights() {
     dynamic_lights_.clear();
     ++scene_changes_;
+}
+
+void Session::remove_dynamic_lights(uint32_t first, uint32_t last) {
+    const auto removed = std::erase_if(dynamic_lights_, [&](const refresh::DynamicLight& light) {
+        return light.id >= first && light.id <= last;
+    });
+    if (removed > 0) ++scene_changes_;
 }
 
 void Session::reset_guiding() {

@@ -38,12 +38,18 @@ public:
 
     Camera& camera() { return camera_; }
     const LevelEntities& entities() const { return entities_; }
+    /// Moves, shows or hides a brush model of the level (LevelEntities::place).
+    void place_entity(int number, const glm::vec3& origin, const glm::vec3& angles, bool shown);
+    /// Entities and light styles as the level has them.
+    void restore_level();
     void turn_entities(std::string_view target, const glm::vec3& angles);
     const LightStyles& light_styles() const { return styles_; }
     void set_light_styles(LightStyles styles);
     /// Adds a dynamic light, or changes the one with the same id.
     void set_dynamic_light(const refresh::DynamicLight& light);
     void clear_dynamic_lights();
+    /// Removes those whose ids are in [first, last].
+    void remove_dynamic_lights(uint32_t first, uint32_t last);
     /// Empties the renderer's octree and light caches.
     void reset_guiding();
 
@@ -93,6 +99,7 @@ private:
     const CvarRegistry& variables_;
 
     std::shared_ptr<const Level> level_;
+    LevelEntities drawn_entities_; // as loaded
     LevelEntities entities_;
     LightStyles styles_;
     std::vector<refresh::DynamicLight> dynamic_lights_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Console commands about the view and the console itself: setviewpos, viewpos, noclip, flyspeed,
+// Console commands about the view and the console itself: setviewpos, viewpos, flyspeed,
 // flyfaster, flyslower, toggleconsole, clear, and the key bindings.
 #include "client/arguments.h"
 #include "client/client.h"
@@ -20,6 +20,11 @@ void set_view(Client& client, CommandArguments arguments) {
     const glm::vec3 origin = vector_at(arguments, 0, "the place");
     const glm::vec3 angles =
         arguments.size() == 6 ? vector_at(arguments, 3, "the direction") : camera.angles();
+    // A player would fall from there; the eye stays where it was asked to be.
+    if (Play* play = client.play(); play != nullptr) {
+        play->stop_following();
+        play->set_walking(false, client.session());
+    }
     camera.set(origin, angles);
 }
 
@@ -66,10 +71,6 @@ void add_view_commands(Client& client) {
     commands.add("viewpos", ": prints the command that brings the view back here",
                  [&client](CommandArguments) {
                      log_info("{}", client.session().camera().setviewpos_text());
-                 });
-    commands.add("noclip", ": accepted as in Quake; the camera always flies through walls",
-                 [](CommandArguments) {
-                     log_info("the camera always flies through walls; walking does not exist yet");
                  });
     commands.add("flyspeed", "[SPEED]: flying speed in map units per second",
                  [&client](CommandArguments arguments) {

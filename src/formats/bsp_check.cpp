@@ -53,6 +53,14 @@ struct Record {
     void finite(const char* what, float value, float limit) const {
         if (!(std::abs(value) <= limit)) bad("has {} {}", what, value);
     }
+    /// Traces and trees need unit normals, and distances that stay finite in sums.
+    void splits_by(const BspPlane& plane, uint32_t number) const {
+        const float length = glm::length(plane.normal);
+        if (!(std::abs(length - 1.0f) < 0.01f))
+            bad("lies on plane {}, whose normal has length {}", number, length);
+        if (!(std::abs(plane.dist) <= 2.0f * bsp_max_coordinate))
+            bad("lies on plane {}, which is {} units away", number, plane.dist);
+    }
     void finite(const char* what, const glm::vec3& value, float limit) const {
         for (size_t axis = 0; axis < 3; ++axis)
             finite(what, value[axis], limit);
@@ -147,8 +155,23 @@ void check_brushes(const Bsp& bsp) {
         const Record record{bsp, "brush sides", "side", i};
         const BspBrushSide& side = bsp.brush_sides[i];
         record.uses("plane", side.plane, bsp.planes.size());
+        record.splits_by(bsp.planes[side.plane], side.plane);
         if (side.texinfo != -1)
             record.uses("texinfo", static_cast<uint32_t>(side.texinfo), bsp.texinfos.size());
+    }
+}
+
+/// A trace may meet every brush of every leaf, and looks at all their sides.
+void check_sides_in_leafs(const Bsp& bsp) {
+    uint64_t sides = 0;
+    for (size_t i = 0; i < bsp.leafs.size(); ++i) {
+        const BspLeaf& leaf = bsp.leafs[i];
+        for (uint32_t entry = 0; entry < leaf.leaf_brush_count; ++entry)
+            sides += bsp.brushes[bsp.leaf_brushes[leaf.first_leaf_brush + entry]].side_count;
+        if (sides > bsp_max_range_total)
+            Record{bsp, "leafs", "leaf", i}.bad(
+                "brings the sides of brushes in leafs to {}, most of them again (limit {})", sides,
+                bsp_max_range_total);
     }
 }
 
@@ -216,6 +239,7 @@ void check_nodes(const Bsp& bsp) {
         const Record record{bsp, "nodes", "node", i};
         const BspNode& node = bsp.nodes[i];
         record.uses("plane", node.plane, bsp.planes.size());
+        record.splits_by(bsp.planes[node.plane], node.plane);
         record.uses_range("faces", node.first_face, node.face_count, bsp.faces.size(), faces);
         for (const int32_t child : node.children)
             check_child(record, bsp, child);
@@ -245,6 +269,7 @@ void check_bsp(const Bsp& bsp) {
     check_faces(bsp);
     check_leafs(bsp);
     check_brushes(bsp);
+    check_sides_in_leafs(bsp);
     check_areas(bsp);
     check_nodes(bsp);
     check_models(bsp);

@@ -64,8 +64,28 @@ TEST(LevelEntities, LeavesOutWhatIsNotSeen) {
 { classname func_wall model "" })");
     Models models;
     const LevelEntities level(bsp, models.function());
-    ASSERT_EQ(level.entities().size(), 1u);
-    EXPECT_EQ(level.entities()[0].number, 4); // triggered, but starts on
+    ASSERT_EQ(level.entities().size(), 3u);
+    // What waits for a trigger is there, but nothing is drawn.
+    EXPECT_EQ(level.entities()[0].number, 3);
+    EXPECT_EQ(level.entities()[0].model, -1);
+    EXPECT_EQ(level.entities()[1].number, 4); // triggered, but starts on
+    EXPECT_GE(level.entities()[1].model, 0);
+    EXPECT_EQ(level.entities()[2].model, -1);
+}
+
+TEST(LevelEntities, ShowsAndHidesByNumber) {
+    const Bsp bsp =
+        level_with(std::string(world) + R"({ classname func_wall model "*1" spawnflags 1 }
+{ classname func_wall model "*1" origin "1 2 3" })");
+    Models models;
+    LevelEntities level(bsp, models.function());
+    EXPECT_TRUE(level.place(1, {4, 5, 6}, {0, 90, 0}, true));
+    EXPECT_FALSE(level.place(1, {4, 5, 6}, {0, 90, 0}, true)); // as it was
+    EXPECT_EQ(level.entities()[0].model, 0);
+    EXPECT_EQ(level.entities()[0].origin, glm::vec3(4, 5, 6));
+    EXPECT_TRUE(level.place(2, {1, 2, 3}, {}, false));
+    EXPECT_EQ(level.entities()[1].model, -1);
+    EXPECT_FALSE(level.place(7, {}, {}, true));
 }
 
 TEST(LevelEntities, TurnsByTargetName) {

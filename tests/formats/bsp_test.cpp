@@ -206,6 +206,21 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{level_area_portals, 0, 4, -1, "area portals lump: area portal 0 uses portal -1"},
         Damage{level_area_portals, 4, 4, 2, "area portals lump: area portal 0 uses area 2 of 2"}));
 
+TEST(Bsp, NodesAndBrushSidesNeedPlanesThatSplit) {
+    LevelLumps lumps = small_level();
+    patch<float>(lumps[level_planes], 0, 2.0f);
+    expect_fault("maps/x.bsp", "nodes lump: node 0 lies on plane 0, whose normal has length 2",
+                 [&] { parse(lumps); });
+    lumps = small_level();
+    patch<float>(lumps[level_planes], 12, 1e8f);
+    expect_fault("maps/x.bsp", "nodes lump: node 0 lies on plane 0, which is 100000000 units away",
+                 [&] { parse(lumps); });
+    lumps = small_level();
+    patch<float>(lumps[level_planes], 52, -1e8f);
+    expect_fault("maps/x.bsp", "brush sides lump: side 1 lies on plane 2, which is",
+                 [&] { parse(lumps); });
+}
+
 TEST(Bsp, FacesNeedPlanesWithAUnitNormal) {
     LevelLumps lumps = small_level();
     patch<float>(lumps[level_planes], 28, 0.5f);

@@ -27,6 +27,7 @@
     ROW(cfg,        ".cfg",       4096,   4000, "scripts: splitting, running, completing") \
     ROW(packed_cfg, ".cfg",       4096,   4000, "the same from a game archive: guarded variables stay") \
     ROW(route,      ".route",     4096,  40000, "camera routes") \
+    ROW(walk,       ".walk",      4096,  40000, "scripted walks") \
     ROW(materials,  ".json",      4096,  25000, "materials.json") \
     ROW(style,      "",            256,  60000, "light style patterns") \
     ROW(cache,      "",           4096,  60000, "cache files: seals, and references inside a right seal") \

@@ -2,6 +2,7 @@
 // Text files: scripts, camera routes, materials, light styles, and the names that files hold.
 #include "client/light_styles.h"
 #include "client/route.h"
+#include "client/walk.h"
 #include "common/builtin_commands.h"
 #include "common/command.h"
 #include "common/error.h"
@@ -69,6 +70,17 @@ void fuzz_packed_cfg(Input bytes) {
         if (info.guarded)
             require(variables.changes(info.name) == 0,
                     "an archive's script set a guarded variable");
+}
+
+void fuzz_walk(Input bytes) {
+    if (!is_text(bytes)) return;
+    parse_or_refuse("x.walk", [&] {
+        const client::Walk walk = client::Walk::parse("x.walk", text_of(bytes));
+        const client::Walk again = client::Walk::parse("x.walk", walk.text());
+        require(again.ticks() == walk.ticks() && walk.ticks() >= 1, "a walk changes as text");
+        for (const int64_t tick : {int64_t{0}, walk.ticks() / 2, walk.ticks() - 1})
+            require(again.command_at(tick) == walk.command_at(tick), "a command changes as text");
+    });
 }
 
 void fuzz_route(Input bytes) {

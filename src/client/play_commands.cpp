@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Console commands about playing a level: noclip, playerinfo, walk, walkrecord, walkstop.
+#include "client/arguments.h"
+#include "client/client.h"
+#include "common/error.h"
+#include "common/game_path.h"
+#include "common/log.h"
+#include "common/printable.h"
+
+namespace vigil::client {
+
+namespace {
+
+void check_playable(const Client& client) {
+    const Session& session = client.session();
+    if (session.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
+    if (client.flying()) fail("the camera flies along a route");
+    if (session.played() != nullptr) fail("a demo is shown; `map NAME` begins something new");
+}
+
+void noclip(Client& client) {
+    check_playable(client);
+    const bool fresh = client.play() == nullptr;
+    if (fresh) {
+        client.start_play();
+        client.play()->set_walking(false, client.session());
+    }
+    Play& play = *client.play();
+    if (play.following()) fail("a scripted walk is under way; `walkstop` ends it");
+    if (play.recording()) fail("a walk is being recorded; `walkstop` ends it");
+    if (play.walking()) {
+        play.set_walking(false, client.session());
+        log_info("flying through walls");
+    } else {
+        const bool roomy = play.set_walking(true, client.session());
+        log_info("{}",
+                 roomy ? "walking" : "there is no room for a player here: back to where it stood");
+    }
+}
+
+void player_info(Client& client) {
+    if (client.play() == nullptr) fail("nobody walks; `noclip` begins to");
+    const PlayerState& player = client.play()->game().player();
+    log_info("player {} {} {}, velocity {} {} {}, {}{}{}, tick {}", player.origin.x,
+             player.origin.y, player.origin.z, player.velocity.x, player.velocity.y,
+             player.velocity.z,
+             player.on_ladder              ? "on a ladder"
+             : player.ground != owner_none ? "on the ground"
+             : player.water_level >= 2     ? "swimming"
+                                           : "in the air",
+             player.ducked ? ", ducked" : "",
+             player.water_level > 0 ? fmt::format(", water level {}", player.water_level) : "",
+             client.play()->game().ticks());
+}
+
+void walk(Client& client, CommandArguments arguments) {
+    check_count(arguments, 1, 1, "walk NAME");
+    check_playable(client);
+    Walk walk = load_walk(client.session().files(), client.variables()->outdir, arguments[0]);
+    client.start_play();
+    client.play()->follow(std::move(walk));
+    client.console().set_open(false);
+    client.commands().pause_script_until(
+        [&client] { return client.play() == nullptr || !client.play()->following(); });
+}
+
+void walk_record(Client& client, CommandArguments arguments) {
+    check_count(arguments, 1, 1, "walkrecord NAME");
+    check_playable(client);
+    const std::string path = walk_path(arguments[0]);
+    if (const auto fault = game_path_fault(path); !fault.empty())
+        fail("\"{}\": not recorded, the name {}", printable(path), fault);
+    client.start_play();
+    client.play()->record(path);
+    log_info("recording {} from the level's start; `walkstop` ends it", path);
+}
+
+void walk_stop(Client& client) {
+    if (client.play() != nullptr && client.play()->recording())
+        client.write_walk();
+    else if (client.play() != nullptr && client.play()->following())
+        client.play()->stop_following();
+    else
+        fail("no walk is recorded or followed");
+}
+
+} // namespace
+
+void add_play_commands(Client& client) {
+    CommandRegistry& commands = client.commands();
+    commands.add("noclip",
+                 ": from walking to flying through walls and back; without a window, the level "
+                 "comes to life with it",
+                 [&client](CommandArguments) { noclip(client); });
+    commands.add("playerinfo", ": place and speed of the player",
+                 [&client](CommandArguments) { player_info(client); });
+    commands.add("walk",
+                 "NAME: starts the level anew and follows outdir/walks/NAME.walk, or that of the "
+                 "game",
+                 [&client](CommandArguments arguments) { walk(client, arguments); });
+    commands.add("walkrecord",
+                 "NAME: starts the level anew and records keys and view of every tick until "
+                 "`walkstop`",
+                 [&client](CommandArguments arguments) { walk_record(client, arguments); });
+    commands.add("walkstop", ": ends the walk that is recorded or followed",
+                 [&client](CommandArguments) { walk_stop(client); });
+}
+
+} // namespace vigil::client
