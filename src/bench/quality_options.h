@@ -72,8 +72,8 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
 /// NAME.
 QualityRow parse_variant(std::string_view text);
 
-/// The row of a technique with rays drawn by the BRDF; "NAME+cdq" is the same with guided rays. Throws Error when there is no
-/// such technique.
+/// The row of a technique with rays drawn by the BRDF; "NAME+cdq" is the same with guided rays.
+/// Throws Error when there is no such technique.
 QualityRow technique_row(std::string_view name);
 
 /// One row per technique, in the order of shaders/shared/techniques.h, without `brute`.

@@ -41,6 +41,7 @@ Client::Client(const ClientParts& parts)
     add_play_commands(*this);
     add_guiding_commands(*this);
     add_preset_commands(*this);
+    add_soak_command(*this);
     add_demo_commands(*this);
 }
 

@@ -94,6 +94,9 @@ public:
     /// Writes a demo as `path` below outdir, and says so. Throws Error.
     void write_recording(const std::string& path, DemoRecorder& recorder);
 
+    /// Runs a part of a frame; an Error of it is logged after `what`, and counted. Returns false
+    /// then.
+    bool attempt(std::string_view what, const std::function<void()>& part);
     /// Flights, demos, recordings and the like that ended with an error so far.
     int failures() const { return failures_; }
 
@@ -108,9 +111,6 @@ private:
     void record_frame();
     /// Ends a recording under way; what was recorded is kept.
     void keep_recording();
-    /// Runs a part of a frame; an Error of it is logged after `what`, and counted. Returns false
-    /// then.
-    bool attempt(std::string_view what, const std::function<void()>& part);
     bool measuring() const { return flight_ || (demo_ && demo_->timed()); }
     void show_title(double seconds);
     void limit_rate(double frame_start_s) const;
@@ -149,6 +149,7 @@ void add_play_commands(Client& client);
 void add_guiding_commands(Client& client);
 void add_preset_commands(Client& client);
 void add_demo_commands(Client& client);
+void add_soak_command(Client& client);
 
 /// bind, unbind, unbindall, bindlist.
 void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings);

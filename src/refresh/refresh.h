@@ -134,6 +134,12 @@ struct FrameTimes {
     std::vector<FrameCount> counts;
 };
 
+/// What should never happen, counted since the renderer was made.
+struct Health {
+    uint32_t nonfinite = 0;      // values that were not finite, or negative, and count as 0
+    int validation_messages = 0; // warnings and errors of the validation layer, while it is on
+};
+
 /// What a window offers the renderer. Implemented by platform/sdl2 and platform/glfw.
 class SurfaceProvider {
 public:
@@ -171,6 +177,8 @@ public:
     /// `wait`, of all frames rendered so far. At most the last 1,024 are kept.
     virtual std::vector<FrameTimes> take_frame_times(bool wait) = 0;
 
+    /// Waits for the device.
+    virtual Health health() const = 0;
     /// Text of `scene`: what the level switched on, and why.
     virtual std::string describe_scene() const = 0;
     /// Text of one line: device and driver.

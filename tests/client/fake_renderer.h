@@ -16,6 +16,7 @@ namespace vigil::client {
 
 /// What happened, kept outside so that it outlives the renderer.
 struct RenderLog {
+    refresh::Health health;
     std::vector<std::string> calls; // "map tiny", "render", "picture", "radiance", "export PATH"
     std::vector<refresh::View> views;
     std::vector<double> times;
@@ -41,6 +42,7 @@ public:
         log_.calls.push_back("map " + level->name);
         level_ = std::move(level);
     }
+    refresh::Health health() const override { return log_.health; }
     refresh::ModelHandle register_model(std::string_view name) override {
         if (log_.broken_models.contains(name)) fail("{}: broken", name);
         log_.models.emplace_back(name);

@@ -226,6 +226,17 @@ TEST_F(ProgramTest, FliesARouteAndReports) {
     EXPECT_FALSE(report["variables"].contains("pt_nee"));
 }
 
+TEST_F(ProgramTest, RandomPlayTypesWhatTheConsoleTakes) {
+    EXPECT_EQ(run("+soak 0.01 5"), 0) << errors_;
+    EXPECT_NE(output_.find("0 values that were not finite"), std::string::npos) << output_;
+    // What is clamped is told: values must be in their ranges.
+    EXPECT_EQ(output_.find("out of range"), std::string::npos) << output_;
+    render_.health.nonfinite = 3;
+    EXPECT_EQ(run("+soak 0.001"), 1);
+    EXPECT_NE(errors_.find("3 values that were not finite"), std::string::npos) << errors_;
+    EXPECT_EQ(run("+soak soon"), 1);
+}
+
 TEST_F(ProgramTest, AFlightThatCannotWriteStopsAndFails) {
     game_.write("out/shot_001.png/occupied", "a folder where a picture should go");
     EXPECT_EQ(run("+map tiny +fly line 10 shot 2 +echo after"), 1);

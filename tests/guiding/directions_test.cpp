@@ -6,6 +6,8 @@
 #include "numerics/record.h"
 #include "random_rays.h"
 
+#include <cmath>
+
 namespace vigil::test {
 namespace {
 
@@ -157,7 +159,8 @@ TEST_P(DirectionsOfSize, RememberFromFrameToFrame) {
 
 TEST_P(DirectionsOfSize, AllEnergyInOneRayAndNoneAtAll) {
     // One ray brings more than can be stored, beside rays that bring next to nothing; then all
-    // bring the most; then none brings anything. With and without memory.
+    // bring nearly that, a power of two, so that equal sums are equal in whatever order they were
+    // added up; then none brings anything. With and without memory.
     const uint32_t bits = GetParam();
     for (const uint32_t memory : {0u, 500u}) {
         SCOPED_TRACE(testing::Message() << memory << " rays remembered");
@@ -172,7 +175,8 @@ TEST_P(DirectionsOfSize, AllEnergyInOneRayAndNoneAtAll) {
                 for (uint32_t ray = 0; ray < leaf.rays; ++ray) {
                     const glm::uvec2 cell =
                         ray == 0 ? glm::uvec2(1000, 3000) : glm::uvec2(200 * ray, 4095 - 100 * ray);
-                    const float brought = ray == 0 || i >= 8 ? 3e38f : 0.0f;
+                    const float most = i >= 8 ? std::exp2(31.0f) : 3e38f;
+                    const float brought = ray == 0 || i >= 8 ? most : 0.0f;
                     state_.rays[leaf.first_sample + ray] = shader::ray_sample_pack(cell, brought);
                 }
             }

@@ -128,7 +128,8 @@ TEST_F(Agreement, CameraRaysHitWhatBruteForceHits) {
             ray.direction = glm::normalize(frame.camera_forward + screen.x * frame.camera_right -
                                            screen.y * frame.camera_up);
             ray.t_max = 1e30f;
-            shader::Random numbers = shader::random_path(pixel, {frame.frame, 0}, 0, 0); // camera rays
+            shader::Random numbers =
+                shader::random_path(pixel, {frame.frame, 0}, 0, 0); // camera rays
             const uint32_t seed = shader::random_next_words(numbers).x;
             const shader::Hit expected = brute_force(scene, ray, seed);
             ++pixels;

@@ -372,6 +372,10 @@ uint32_t VkptRenderer::nonfinite_count() const {
         .nonfinite;
 }
 
+refresh::Health VkptRenderer::health() const {
+    return {nonfinite_count(), device_.validation_messages()};
+}
+
 std::string VkptRenderer::describe_scene() const {
     if (!scene_) return "no level is loaded";
     std::string text = scene_->describe();

@@ -28,6 +28,7 @@ public:
     refresh::Picture read_picture(bool with_overlay) override;
     refresh::RadiancePicture read_radiance() override;
     std::vector<refresh::FrameTimes> take_frame_times(bool wait) override;
+    refresh::Health health() const override;
     std::string describe_scene() const override;
     std::string describe_device() const override;
     std::string describe_guiding() const override;

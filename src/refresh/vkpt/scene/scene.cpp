@@ -7,8 +7,8 @@
 #include "common/log.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
 #include "refresh/vkpt/scene/particle_geometry.h"
-#include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/subdivide.h"
+#include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/world_geometry.h"
 #include "world/level.h"
 

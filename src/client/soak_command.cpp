@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The console command soak.
+#include "client/arguments.h"
+#include "client/client.h"
+#include "client/soak.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "world/level.h"
+
+namespace vigil::client {
+
+namespace {
+
+void report(const Soak& soak, const refresh::Health& health, double seconds) {
+    const std::string text = fmt::format(
+        "soak: {:.1f} minutes, {} frames, {} levels and demos, {} switches of variables; {} values "
+        "that were not finite, {} messages of the validation layer",
+        seconds / 60.0, soak.frames(), soak.levels(), soak.switches(), health.nonfinite,
+        health.validation_messages);
+    if (health.nonfinite > 0 || health.validation_messages > 0) fail("{}", text);
+    log_info("{}", text);
+}
+
+void run_soak(Client& client, CommandArguments arguments) {
+    check_count(arguments, 1, 2, "soak MINUTES [SEED]");
+    const double minutes = static_cast<double>(number_at(arguments, 0, "the minutes"));
+    const auto seed =
+        arguments.size() > 1 ? static_cast<uint32_t>(number_at(arguments, 1, "the seed")) : 1u;
+    const FileSystem& files = client.session().files();
+    SoakChoices choices{list_levels(files), files.list("demos/", ".dm2")};
+    if (choices.levels.empty()) fail("there are no levels to play");
+    const auto soak = std::make_shared<Soak>(std::move(choices), seed);
+    const auto watch = std::make_shared<Stopwatch>();
+    client.commands().pause_script_until([&client, soak, watch, minutes] {
+        if (watch->seconds() >= 60.0 * minutes) {
+            client.attempt("soak", [&] {
+                report(*soak, client.session().renderer().health(), watch->seconds());
+            });
+            return true;
+        }
+        const bool walks = client.play() != nullptr && !client.playing() && !client.flying();
+        client.commands().execute_text(soak->next(walks), "soak");
+        return false;
+    });
+}
+
+} // namespace
+
+void add_soak_command(Client& client) {
+    client.commands().add("soak",
+                          "MINUTES [SEED]: plays at random, switching levels, demos and variables; "
+                          "fails when a value "
+                          "was not finite or validation had a message",
+                          [&client](CommandArguments arguments) { run_soak(client, arguments); });
+}
+
+} // namespace vigil::client
