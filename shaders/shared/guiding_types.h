@@ -122,9 +122,11 @@ SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
 }
 
 /// The memory after a frame with these sums of its own, and with `drawn` draws from the cache of which the
-/// surface saw `seen`.
+/// surface saw `seen`. A frame in which no draw met a light of the cache had none, so it does not tell what
+/// a cache lacks: what it found is in the next one.
 SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float known, float found,
                                        uint drawn, uint seen) {
+    if (drawn == 0u && !(known > 0.0f)) return memory;
     // Many new draws leave little of the old: an empty cache is full a frame later.
     const float kept = max(1.0f - listed / EXPLORE_DRAWS, 0.0f);
     memory.listed = kept * memory.listed + listed;

@@ -149,8 +149,9 @@ TEST_F(ProgramTest, PresetsOfLightListsGoThereAndBack) {
         game_.write(std::string("data/baseq2/") + name,
                     std::string(std::istreambuf_iterator<char>(file), {}));
     }
-    const std::string values = "+echo lists $pt_nee $pt_sll_max $pt_sll_mass $pt_sll_stats "
-                               "$pt_light_points $pt_light_density ";
+    const std::string values =
+        "+echo lists $pt_nee $pt_guide $pt_sll_max $pt_sll_mass $pt_sll_stats "
+        "$pt_light_points $pt_light_density ";
     EXPECT_EQ(run("+set pt_nee sll " + values + "+exec q2rtx_lists.cfg " + values +
                   "+exec default_lists.cfg " + values),
               0);
@@ -158,7 +159,7 @@ TEST_F(ProgramTest, PresetsOfLightListsGoThereAndBack) {
                  after = output_.find("lists", shipped + 1);
     ASSERT_NE(after, std::string::npos);
     EXPECT_EQ(output_.substr(shipped, output_.find('\n', shipped) - shipped),
-              "lists sll 8 solid_angle 1 1 solid_angle");
+              "lists sll brdf 8 solid_angle 1 1 solid_angle");
     EXPECT_EQ(output_.substr(before, output_.find('\n', before) - before),
               output_.substr(after, output_.find('\n', after) - after));
 }

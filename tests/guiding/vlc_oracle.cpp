@@ -66,6 +66,7 @@ Explored explore(const Explored& before, std::span<const uint32_t> kept) {
             break;
         }
     }
+    if (cached == 0.0 && known == 0.0) return before; // there was no cache
     const double keep = std::max(0.0, 1.0 - listed / 48.0);
     Explored after{keep * before.listed + listed, keep * before.known + known,
                    keep * before.found + found, 0.0};
