@@ -28,7 +28,7 @@ the geometric mean of time x error over the levels. Intervals (95%) of everythin
 
 Two things this does not show. In `mine` most of the light is the sun's, which a frame after so short a warm-up does not meet: errors there are those of the reference's light that is missing in
 all rows alike, and say nothing about techniques; that quadtrees find it within some fifty frames, and the levels where the sky comes in through openings, decided for `pt_guide cdq`
-([results/guiding.md](results/guiding.md)), which costs a fifth where there is nothing to find. And what a person sees first is a single bright pixel, which plain MSE counts and this error does not.
+([results/guiding.md](results/guiding.md)), which costs a quarter where there is nothing to find. And what a person sees first is a single bright pixel, which plain MSE counts and this error does not.
 
 Half against full precision is not among them: no cache stores the same thing in both, so there is nothing to turn (what is stored in fewer bits, and with which error, is in
 [numerics.md](numerics.md)).
