@@ -40,7 +40,20 @@ std::vector<Part> level_parts(const QualityOptions& options) {
     return parts;
 }
 
+bool is_named(std::span<const std::string> arguments, std::string_view option) {
+    return std::ranges::find(arguments, option) != arguments.end();
+}
+
 } // namespace
+
+void lengthen_warmups(Plan& plan, std::span<const std::string> arguments) {
+    constexpr std::string_view dark_level = "mine";
+    constexpr int frames = 64;
+    if (is_named(arguments, "--warmup") || is_named(arguments, "--quick")) return;
+    for (Part& part : plan.parts)
+        if (part.level == dark_level && std::ranges::any_of(part.options.rows, is_guided))
+            part.options.warmup = std::max(part.options.warmup, frames);
+}
 
 void select_parts(Plan& plan) {
     if (plan.options.parts.empty()) return;
@@ -65,6 +78,7 @@ Plan quality_plan(std::span<const std::string> arguments) {
         options.rows.push_back(row);
     Plan plan{"quality", parse_quality_options(arguments, {options, quick(options)}), {}};
     plan.parts = level_parts(plan.options);
+    lengthen_warmups(plan, arguments);
     return plan;
 }
 
@@ -106,7 +120,7 @@ Plan scale_plan(std::span<const std::string> arguments) {
     small.views = 1;
     small.reference_paths = 64;
     Plan plan{"scale", parse_quality_options(arguments, {options, small}), {}};
-    const bool is_quick = std::ranges::find(arguments, "--quick") != arguments.end();
+    const bool is_quick = is_named(arguments, "--quick");
     const auto add = [&](const std::string& level, std::string_view axis, double value) -> Part& {
         return plan.parts.emplace_back(Part{fmt::format("{} {} {}", axis, level, value), level,
                                             plan.options, std::string(axis), value});

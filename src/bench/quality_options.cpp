@@ -83,6 +83,12 @@ QualityRow technique_row(std::string_view name) {
             {{"pt_nee", std::string(technique)}, {"pt_guide", is_guided ? "cdq" : "brdf"}}};
 }
 
+bool is_guided(const QualityRow& row) {
+    return std::ranges::any_of(row.settings, [](const Setting& setting) {
+        return setting.name == "pt_guide" && setting.value == "cdq";
+    });
+}
+
 std::vector<QualityRow> technique_rows() {
     std::vector<QualityRow> rows;
     for (const TechniqueInfo& info : technique_infos)

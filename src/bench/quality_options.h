@@ -76,6 +76,9 @@ QualityRow parse_variant(std::string_view text);
 /// Throws Error when there is no such technique.
 QualityRow technique_row(std::string_view name);
 
+/// Whether a row draws rays from quadtrees.
+bool is_guided(const QualityRow& row);
+
 /// One row per technique, in the order of shaders/shared/techniques.h, without `brute`.
 std::vector<QualityRow> technique_rows();
 

@@ -82,7 +82,7 @@ Plan trade_plan(std::span<const std::string> arguments) {
     options.levels = {"warehouse", "mine", "gallery"};
     options.rows = {technique_row("vlc")}; // what techniques and presets are compared with
     options.views = 2;
-    options.seeds = 2;
+    options.seeds = 3; // ratios of times have intervals from six pairs on
     options.reference_paths = 512;
     QualityOptions quick = options;
     quick.levels = {"warehouse"};
@@ -114,6 +114,7 @@ Plan trade_plan(std::span<const std::string> arguments) {
             add(level, sweep.variable, sweep.technique, rows);
         }
     }
+    lengthen_warmups(plan, arguments);
     return plan;
 }
 
