@@ -66,13 +66,6 @@ int step_count(const QualityOptions& options) {
     return views * options.seeds * static_cast<int>(options.rows.size());
 }
 
-ordered_json variables_json(std::span<const Setting> settings) {
-    ordered_json json = ordered_json::object();
-    for (const Setting& setting : settings)
-        json[setting.name] = setting.value;
-    return json;
-}
-
 /// What tells one measurement of a part from another.
 ordered_json part_json(const Part& part) {
     const QualityOptions& options = part.options;

@@ -60,10 +60,14 @@ ordered_json to_json(const Interval& interval) {
 }
 
 ordered_json to_json(const QualityRow& row) {
+    return {{"label", row.label}, {"variables", variables_json(row.settings)}};
+}
+
+ordered_json variables_json(std::span<const Setting> settings) {
     ordered_json variables = ordered_json::object();
-    for (const Setting& setting : row.settings)
+    for (const Setting& setting : settings)
         variables[setting.name] = setting.value;
-    return {{"label", row.label}, {"variables", std::move(variables)}};
+    return variables;
 }
 
 Settled settled_of(const std::vector<Strata>& curve) {

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,5 +83,7 @@ nlohmann::ordered_json quality_json(const QualityOptions& options, const LevelRe
 nlohmann::ordered_json curve_json(const CurveResult& result);
 nlohmann::ordered_json to_json(const Interval& interval);
 nlohmann::ordered_json to_json(const QualityRow& row);
+/// Name: value.
+nlohmann::ordered_json variables_json(std::span<const Setting> settings);
 
 } // namespace vigil::bench

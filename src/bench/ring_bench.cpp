@@ -6,6 +6,7 @@
 #include "bench/checkpoint.h"
 #include "bench/option_values.h"
 #include "bench/quality_renderer.h"
+#include "bench/quality_report.h"
 #include "bench/ring_report.h"
 #include "client/commit.h"
 #include "common/cvar.h"
@@ -93,9 +94,6 @@ int run_ring_bench(std::span<const std::string> arguments) {
     QualityRenderer renderer(place, level);
     const Pose pose = renderer.places().front().measured();
 
-    nlohmann::ordered_json variables = nlohmann::ordered_json::object();
-    for (const Setting& setting : options.settings)
-        variables[setting.name] = setting.value;
     const std::filesystem::path path =
         options.json.empty() ? output_path("ring.json") : std::filesystem::path(options.json);
     Checkpoint checkpoint(path,
@@ -112,7 +110,7 @@ int run_ring_bench(std::span<const std::string> arguments) {
                            {"settled_tail", ring_tail},
                            {"settled_factor", ring_factor},
                            {"reference_paths", options.reference_paths},
-                           {"variables", std::move(variables)}},
+                           {"variables", variables_json(options.settings)}},
                           options.keep);
     const auto part_name = [](int degrees) { return fmt::format("{} degrees", degrees); };
     const int steps = options.seeds * static_cast<int>(place.rows.size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/ring_report.h"
 
+#include "bench/quality_report.h"
+
 #include <fmt/format.h>
 
 namespace vigil::bench {
@@ -8,10 +10,6 @@ namespace vigil::bench {
 using nlohmann::ordered_json;
 
 namespace {
-
-ordered_json to_json(const Interval& interval) {
-    return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
-}
 
 /// Mean error by frame after the turn.
 std::vector<double> curve_of(const RingRow& row) {
@@ -84,9 +82,6 @@ std::string ring_csv(const ordered_json& report) {
 ordered_json ring_json(const RingTurn& turn) {
     ordered_json rows = ordered_json::array();
     for (const RingRow& row : turn.rows) {
-        ordered_json variables = ordered_json::object();
-        for (const Setting& setting : row.row.settings)
-            variables[setting.name] = setting.value;
         ordered_json frames = ordered_json::array();
         for (std::size_t frame = 0; frame < row.frames.size(); ++frame) {
             frames.push_back(to_json(in_frame(row, frame)));
@@ -96,7 +91,7 @@ ordered_json ring_json(const RingTurn& turn) {
         start["by_seed"] = row.before;
         const Settled settled = settled_after(row);
         rows.push_back({{"label", row.row.label},
-                        {"variables", std::move(variables)},
+                        {"variables", variables_json(row.row.settings)},
                         {"before", std::move(start)},
                         {"readapted_frame", readapted_after(row)},
                         {"settled", settled.level},

@@ -5,7 +5,6 @@
 #include "light_scenes.h"
 #include "numerics/record.h"
 #include "refresh/vkpt/gpu/commands.h"
-#include "shared/firewall.h"
 
 #include <algorithm>
 #include <iostream>
@@ -17,16 +16,6 @@ namespace {
 class Extremes : public RenderTest {
 protected:
     using Settings = std::vector<std::pair<const char*, const char*>>;
-
-    static bool all_sound(std::span<const float> values) {
-        return std::ranges::all_of(values, [](float value) { return shader::is_sound(value); });
-    }
-    static double sum_of(std::span<const float> values) {
-        double sum = 0.0;
-        for (const float value : values)
-            sum += double(value);
-        return sum;
-    }
 
     /// These settings have the mean of what was measured before.
     void expect_equal_means(const Shot& shot, const PictureBatches& reference,

@@ -44,15 +44,6 @@ protected:
             return (hit.flags & shader::PRIMARY_HIT_NONFINITE) != 0;
         }));
     }
-    static bool all_sound(std::span<const float> values) {
-        return std::ranges::all_of(values, [](float value) { return shader::is_sound(value); });
-    }
-    static double sum_of(std::span<const float> values) {
-        double sum = 0.0;
-        for (const float value : values)
-            sum += double(value);
-        return sum;
-    }
 
     /// Sums of quadtrees, and what exploring brought, of the first `leaves` leaves: the octree's
     /// floats.

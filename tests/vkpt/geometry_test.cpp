@@ -7,10 +7,12 @@
 #include "formats/small_models.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
+#include "refresh/vkpt/scene/subdivide.h"
 #include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/world_geometry.h"
 #include "world/level.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -103,6 +105,37 @@ TEST_F(Geometry, TwelveLampsAndOneOnTheDoor) {
     for (const LightSource& light : door.lights)
         EXPECT_NEAR(glm::distance(light.radiance, 6.0f * textures_.texture("test/lamp_red").mean),
                     0.0f, 1e-4f);
+}
+
+TEST_F(Geometry, SubdivisionKeepsSurfacesAndLights) {
+    const auto level = load_level(files_, "rooms");
+    const ModelGeometry whole = brush_model_geometry(*level, 0, materials_);
+    const auto area_sum = [](const ModelGeometry& geometry) {
+        glm::dvec3 sum(0.0); // by texture coordinates too: the area that a texture covers
+        for (size_t i = 0; i < geometry.triangles.size(); ++i) {
+            const BvhInputTriangle& t = geometry.triangles[i];
+            const shader::Primitive& p = geometry.primitives[i];
+            const glm::vec2 u = p.uv1 - p.uv0, v = p.uv2 - p.uv0;
+            sum += glm::dvec3(glm::length(area_of(t)), std::abs(u.x * v.y - u.y * v.x),
+                              glm::dot(area_of(t), glm::vec3(1, 2, 3)));
+        }
+        return sum;
+    };
+    const auto is_light = [](const shader::Primitive& p) { return p.light != shader::NONE; };
+    const size_t lamps = static_cast<size_t>(std::ranges::count_if(whole.primitives, is_light));
+    const glm::dvec3 areas = area_sum(whole);
+    for (const int times : {0, 1, 2, 3}) {
+        ModelGeometry cut = whole;
+        subdivide(cut, times);
+        ASSERT_EQ(cut.triangles.size(), cut.primitives.size());
+        EXPECT_EQ(cut.triangles.size(),
+                  lamps + (whole.triangles.size() - lamps) * (size_t{1} << 2 * times));
+        EXPECT_EQ(std::ranges::count_if(cut.primitives, is_light), lamps);
+        EXPECT_EQ(cut.lights.size(), whole.lights.size());
+        const glm::dvec3 cut_areas = area_sum(cut);
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(cut_areas[i], areas[i], 1e-4 * std::abs(areas[0])) << times << ' ' << i;
+    }
 }
 
 TEST_F(Geometry, TwoSidedFacesLieApart) {

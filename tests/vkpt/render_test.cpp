@@ -3,10 +3,13 @@
 
 #include "common/scratch_folder.h"
 #include "refresh/vkpt/gpu/commands.h"
+#include "shared/firewall.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 
 namespace vigil::test {
@@ -171,6 +174,14 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
     commands.finish();
     return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,
                                        uint64_t{3} * tracer.size().x * tracer.size().y);
+}
+
+bool all_sound(std::span<const float> values) {
+    return std::ranges::all_of(values, [](float value) { return shader::is_sound(value); });
+}
+
+double sum_of(std::span<const float> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 std::vector<BspTexInfo*> texinfos_of(Level& level, std::string_view texture) {

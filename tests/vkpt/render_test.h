@@ -78,6 +78,10 @@ private:
     std::shared_ptr<const Level> level_;
 };
 
+/// Whether every value is finite and none is negative.
+bool all_sound(std::span<const float> values);
+double sum_of(std::span<const float> values);
+
 /// The texinfos whose texture is `texture`.
 std::vector<BspTexInfo*> texinfos_of(Level& level, std::string_view texture);
 
