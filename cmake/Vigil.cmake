@@ -35,19 +35,18 @@ function(vigil_library name)
 endfunction()
 
 # vigil_test(NAME SOURCES ... LIBS ... [GPU]): a GoogleTest binary, registered with ctest.
-# GPU tests get the label "gpu" and are not built in the sanitizer tree; the others get "unit".
+# GPU tests get the label "gpu", the others "unit".
 function(vigil_test name)
   cmake_parse_arguments(ARG "GPU" "" "SOURCES;LIBS" ${ARGN})
-  if(ARG_GPU AND VIGIL_SANITIZE)
-    return()
-  endif()
   find_package(GTest REQUIRED)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE vigil_options ${ARG_LIBS} GTest::gtest GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE VIGIL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
   if(ARG_GPU)
-    set_tests_properties(${name} PROPERTIES LABELS gpu TIMEOUT 1200)
+    set_tests_properties(${name} PROPERTIES LABELS gpu TIMEOUT 1200
+      ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/gpu/drivers.supp:print_suppressions=0")
   else()
     set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300)
   endif()

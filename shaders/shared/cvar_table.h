@@ -144,8 +144,8 @@
     \
     STRING(vk_device, Start, "", \
         "part of the name or the index of the Vulkan device; empty: the best one") \
-    INTEGER(vk_validation, Start, 0, 0, 2, \
-        "validation layer: 0 off, 1 core, 2 core and synchronisation") \
+    INTEGER(vk_validation, Start, 0, 0, 3, \
+        "validation layer: 0 off, 1 core, 2 core and synchronisation, 3 core and GPU-assisted") \
     INTEGER(vk_debug_names, Start, 0, 0, 1, \
         "1: names and labels for graphics debuggers, also without the validation layer")
 // clang-format on

@@ -46,6 +46,8 @@ Client::Client(const ClientParts& parts)
 }
 
 Client::~Client() {
+    end_flight(); // none is under way unless rendering failed
+    end_demo();
     keep_recording();
     end_play();
 }
@@ -71,6 +73,9 @@ void Client::run() {
         if (headless() && commands_.idle() && !flying() && !playing()) break;
         frame();
     }
+    cut_short_ = measuring();
+    end_flight();
+    end_demo();
     keep_recording();
 }
 
@@ -139,7 +144,7 @@ void Client::move_camera(double seconds) {
         return;
     }
     if (demo_) {
-        if (!attempt("demomap", [&] { demo_->begin_frame(seconds, session_); })) demo_.reset();
+        if (!attempt("demomap", [&] { demo_->begin_frame(seconds, session_); })) end_demo();
         return;
     }
     const double moved_s = std::min(seconds, longest_move_s);
@@ -206,6 +211,17 @@ void Client::start_flight(Route route, RunPlan plan) {
     console_.set_open(false);
 }
 
+void Client::end_flight() {
+    if (flight_) attempt("fly", [this] { flight_->cut_short(); });
+    flight_.reset();
+}
+
+void Client::end_demo() {
+    if (demo_ && demo_->timed())
+        attempt("demomap", [this] { demo_->cut_short(session_, variables_); });
+    demo_.reset();
+}
+
 bool Client::attempt(std::string_view what, const std::function<void()>& part) {
     try {
         part();
@@ -242,12 +258,15 @@ void Client::start_demo(DemoPlayback demo) {
 }
 
 void Client::finish_demo_frame(double seconds) {
-    bool over = true;
-    attempt("demomap", [&] {
+    bool over = false;
+    const bool sound = attempt("demomap", [&] {
         over = demo_->end_frame(seconds, session_);
         if (over) demo_->finish(session_, variables_);
     });
-    if (over) demo_.reset();
+    if (over)
+        demo_.reset();
+    else if (!sound)
+        end_demo();
     if (!measuring()) session_.take_frame_times(false);
 }
 

@@ -76,12 +76,15 @@ public:
 
     /// Starts a flight, or ends the one under way.
     void start_flight(Route route, RunPlan plan);
-    void end_flight() { flight_.reset(); }
+    /// Ends the flight under way, if any, before its time; that counts as a failure.
+    void end_flight();
     bool flying() const { return flight_ != nullptr; }
 
     /// Loads a demo's level and plays the demo. Throws Error.
     void start_demo(DemoPlayback demo);
-    void end_demo() { demo_.reset(); }
+    /// Ends the demo that plays, if any. A measurement is reported as far as it is finished; that
+    /// counts as a failure.
+    void end_demo();
     bool playing() const { return demo_ != nullptr; }
 
     /// A recorder of what the session shows from now on.
@@ -99,6 +102,8 @@ public:
     bool attempt(std::string_view what, const std::function<void()>& part);
     /// Flights, demos, recordings and the like that ended with an error so far.
     int failures() const { return failures_; }
+    /// run() ended in the midst of a measurement.
+    bool cut_short() const { return cut_short_; }
 
 private:
     void frame();
@@ -131,6 +136,7 @@ private:
     std::unique_ptr<DemoRecorder> recorder_;
     std::string recorded_path_;
     int failures_ = 0;
+    bool cut_short_ = false;
     Stopwatch clock_;
     double last_frame_s_ = 0.0;
     bool quitting_ = false;

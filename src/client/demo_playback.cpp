@@ -8,10 +8,27 @@
 
 namespace vigil::client {
 
+namespace {
+
+int frame_count(const std::string& name, const std::vector<uint8_t>& bytes) {
+    DemoReader reader(name, bytes);
+    int frames = 0;
+    while (reader.next())
+        ++frames;
+    return frames;
+}
+
+RunPlan with_frames(RunPlan plan, int frames) {
+    plan.frames = frames;
+    return plan;
+}
+
+} // namespace
+
 DemoPlayback::DemoPlayback(std::string name, std::vector<uint8_t> bytes, int repetitions,
                            RunPlan plan)
     : name_(std::move(name)), bytes_(std::move(bytes)), repetitions_(repetitions),
-      run_(std::move(plan)) {}
+      run_(with_frames(std::move(plan), timed() ? repetitions * frame_count(name_, bytes_) : 0)) {}
 
 void DemoPlayback::start(Session& session) {
     // The level is loaded anew for each repetition: all begin with the same random numbers and with
@@ -43,6 +60,15 @@ bool DemoPlayback::end_frame(double seconds, Session& session) {
     if (run_.repetitions() == repetitions_ || !player_->fault().empty()) return true;
     start(session);
     return false;
+}
+
+void DemoPlayback::cut_short(Session& session, const CvarRegistry& variables) {
+    const int frames = run_.frame_count();
+    run_.drop();
+    if (run_.repetitions() > 0) run_.report(session, variables);
+    fail("ended after {} frames of repetition {} of {}: {}", frames, run_.repetitions() + 1,
+         repetitions_,
+         run_.repetitions() > 0 ? "reported is what was finished" : "there is no report");
 }
 
 void DemoPlayback::finish(Session& session, const CvarRegistry& variables) {

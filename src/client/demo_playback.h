@@ -27,6 +27,9 @@ public:
     /// Logs what there is to say at the end, and writes the report. Throws Error when that fails,
     /// or with the demo's fault when it is damaged.
     void finish(Session& session, const CvarRegistry& variables);
+    /// Of a measurement that is ended before its time: reports the repetitions that are finished,
+    /// then throws Error with how far it came.
+    [[noreturn]] void cut_short(Session& session, const CvarRegistry& variables);
 
 private:
     std::string name_;

@@ -2,13 +2,25 @@
 // Flying along a route.
 #include "client/fly_through.h"
 
+#include "common/error.h"
+
 #include <utility>
 
 namespace vigil::client {
 
+namespace {
+
+/// Every frame of the route, once.
+RunPlan with_frames(RunPlan plan, const Route& route) {
+    plan.frames = route.frame_count(plan.fps);
+    return plan;
+}
+
+} // namespace
+
 FlyThrough::FlyThrough(Route route, RunPlan plan)
-    : route_(std::move(route)), run_(std::move(plan)),
-      frame_count_(route_.frame_count(run_.plan().fps)) {}
+    : route_(std::move(route)), run_(with_frames(std::move(plan), route_)),
+      frame_count_(run_.plan().frames) {}
 
 void FlyThrough::begin_frame(Session& session) {
     const int frame = run_.frame_count();
@@ -26,6 +38,12 @@ void FlyThrough::report(Session& session, const CvarRegistry& variables) {
     run_.end(session);
     run_.log_repetition();
     run_.report(session, variables);
+}
+
+void FlyThrough::cut_short() {
+    const int frames = run_.frame_count();
+    run_.drop();
+    fail("ended after {} of {} frames: there is no report", frames, frame_count_);
 }
 
 } // namespace vigil::client

@@ -24,6 +24,9 @@ public:
     /// when it cannot be written. Waits for the GPU; that time counts.
     void report(Session& session, const CvarRegistry& variables);
 
+    /// Throws Error with how far the flight came: it was ended before its time.
+    [[noreturn]] void cut_short();
+
 private:
     Route route_;
     TimedRun run_;

@@ -142,11 +142,17 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
         log_info("there is no window and nothing to do; give commands, for example "
                  "+map warehouse +wait 4 +screenshot");
     }
-    client.run();
-    if (!client.headless()) {
-        save_configuration(variables, bindings, console.history());
-        return 0;
+    const auto keep_configuration = [&] {
+        if (!client.headless()) save_configuration(variables, bindings, console.history());
+    };
+    try {
+        client.run();
+    } catch (...) {
+        keep_configuration();
+        throw;
     }
+    keep_configuration();
+    if (!client.headless()) return client.cut_short() ? 1 : 0;
     return commands.failures() > failures_before || client.failures() > 0 ? 1 : 0;
 }
 

@@ -48,6 +48,10 @@ void TimedRun::begin(Session& session) {
     begin_ = frames_.size();
     seconds_ = 0.0;
     repetition_statistics_.clear();
+    if (!progress_) {
+        progress_ = std::make_unique<Progress>(plan_.frames);
+        progress_->begin(plan_.name);
+    }
 }
 
 void TimedRun::end_frame(Session& session, double seconds) {
@@ -68,6 +72,12 @@ void TimedRun::end_frame(Session& session, double seconds) {
     seconds_ += record.seconds;
     frames_.push_back(std::move(record));
     take_gpu_times(session, false);
+    progress_->advance("frames");
+}
+
+void TimedRun::drop() {
+    frames_.resize(begin_);
+    progress_.reset();
 }
 
 void TimedRun::end(Session& session) {
@@ -75,6 +85,9 @@ void TimedRun::end(Session& session) {
     take_gpu_times(session, true);
     seconds_ += watch.seconds();
     finished_.push_back({frames_.size() - begin_, seconds_});
+    begin_ = frames_.size();
+    finished_totals_ = totals_;
+    progress_->clear();
 }
 
 std::filesystem::path TimedRun::picture_path(int number) const {
@@ -87,8 +100,8 @@ void TimedRun::take_gpu_times(Session& session, bool wait) {
             std::ranges::lower_bound(frames_, times.frame, {}, &FrameRecord::number);
         if (record == frames_.end() || record->number != times.frame) continue;
         repetition_statistics_.add_frame(times.passes);
-        statistics_.add_frame(times.passes);
-        counts_.add_frame(times.counts);
+        totals_.passes.add_frame(times.passes);
+        totals_.counts.add_frame(times.counts);
         record->passes = std::move(times.passes);
     }
 }
@@ -111,7 +124,7 @@ void TimedRun::report(Session& session, const CvarRegistry& variables) const {
     if (finished_.size() > 1) {
         const Repetition all = together();
         log_info("all {} together: {}", finished_.size(), quake_line(all.frames, all.seconds));
-        log_info("{}", statistics_.table(sums_));
+        log_info("{}", finished_totals_.passes.table(sums_));
     }
     if (pictures_ > 0) {
         log_info("wrote {} pictures, {} and on", pictures_, picture_path(0).string());
@@ -153,16 +166,16 @@ std::string TimedRun::json_text(const Session& session, const std::string& devic
     report["variables"] = settings;
 
     report["passes"] = ordered_json::array();
-    for (const PassSummary& pass : statistics_.summarize())
+    for (const PassSummary& pass : finished_totals_.passes.summarize())
         report["passes"].push_back(json_of(pass));
     report["groups"] = ordered_json::array();
     for (const PassSum& wanted : sums_) {
-        const PassSummary sum = statistics_.summarize(wanted);
+        const PassSummary sum = finished_totals_.passes.summarize(wanted);
         if (sum.frames > 0) report["groups"].push_back(json_of(sum));
     }
     // What guiding counted, means over the run; empty while it was off.
     report["guiding"] = ordered_json::object();
-    for (const refresh::FrameCount& count : counts_.means())
+    for (const refresh::FrameCount& count : finished_totals_.counts.means())
         report["guiding"][count.name] = count.value;
     report["frames"] = ordered_json::array();
     for (const FrameRecord& record : frames_) {

@@ -7,9 +7,11 @@
 #include "client/count_statistics.h"
 #include "client/pass_statistics.h"
 #include "client/session.h"
+#include "common/progress.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct RunPlan {
     int every = 1;              ///< one picture for so many frames
     std::string json;           ///< name of the report below outdir; empty: none
     glm::ivec2 size{0};         ///< of the picture, for the report
+    int frames = 0;             ///< of all repetitions, for the progress
 };
 
 class TimedRun {
@@ -31,7 +34,7 @@ public:
     explicit TimedRun(RunPlan plan) : plan_(std::move(plan)) {}
 
     const RunPlan& plan() const { return plan_; }
-    /// Frames of the present repetition.
+    /// Frames of the present repetition; 0 between two.
     int frame_count() const { return static_cast<int>(frames_.size() - begin_); }
     int repetitions() const { return static_cast<int>(finished_.size()); }
 
@@ -44,6 +47,8 @@ public:
     void take_gpu_times(Session& session, bool wait);
     /// Ends the repetition. Waits for the GPU; that time counts.
     void end(Session& session);
+    /// Drops the repetition under way: report() tells of those before it.
+    void drop();
 
     /// Logs Quake's line and the table of the repetition that ended last.
     void log_repetition() const;
@@ -75,8 +80,13 @@ private:
     std::vector<Repetition> finished_;
     std::vector<PassSum> sums_;
     PassStatistics repetition_statistics_;
-    PassStatistics statistics_;
-    CountStatistics counts_{0};
+    struct Totals {
+        PassStatistics passes;
+        CountStatistics counts{0};
+    };
+    Totals totals_;          // with the present repetition
+    Totals finished_totals_; // without
+    std::unique_ptr<Progress> progress_;
 };
 
 } // namespace vigil::client

@@ -25,6 +25,10 @@ std::string time_text(double seconds) {
 Progress::Progress(int steps) : steps_(steps), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
+    clear();
+}
+
+void Progress::clear() {
     if (terminal_ && shown_) fmt::print(stderr, "\r\033[K");
 }
 

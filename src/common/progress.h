@@ -24,6 +24,8 @@ public:
     void advance(const std::string& what);
     /// Something that is not counted is under way.
     void note(const std::string& what);
+    /// Removes the bar, for lines that are printed meanwhile; it comes back by itself.
+    void clear();
     /// Steps that need no work after all: they do not count for the pace.
     void skip(int steps);
 

@@ -2,6 +2,7 @@
 // The bit field's text on the device, under validation: what is integer or exact equals the host's
 // to the bit, drawn directions do within rounding, and the device's own look-up finds every drawn
 // direction in the leaf it was drawn from.
+#include "gpu/validated.h"
 #include "quadtree.h"
 #include "query.h"
 #include "refresh/vkpt/gpu/commands.h"
@@ -70,14 +71,8 @@ std::vector<CdqAnswer> ask(const gpu::Device& device, const std::vector<CdqQuery
 
 class CdqGpuTest : public testing::TestWithParam<uint32_t> {
 protected:
-    CdqGpuTest() : device_(options(), nullptr) {}
+    CdqGpuTest() : device_(test::validated(), nullptr) {}
     ~CdqGpuTest() override { EXPECT_EQ(device_.validation_messages(), 0); }
-    static gpu::DeviceOptions options() {
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        return options;
-    }
-
     gpu::Device device_;
     const std::vector<CdqQuery> queries_ = make_queries(GetParam());
     const std::vector<CdqAnswer> answers_ = ask(device_, queries_);

@@ -7,6 +7,7 @@
 #include "common/scratch_folder.h"
 #include "common/sealed.h"
 #include "empty.comp.h"
+#include "gpu/validated.h"
 
 #include <cstring>
 #include <random>
@@ -21,14 +22,8 @@ constexpr std::string_view kind = "vigil pipelines 1";
 
 class PipelineCacheTest : public testing::Test {
 protected:
-    PipelineCacheTest() : device_(options(), nullptr) {}
+    PipelineCacheTest() : device_(test::validated(), nullptr) {}
     ~PipelineCacheTest() override { EXPECT_EQ(device_.validation_messages(), 0); }
-    static DeviceOptions options() {
-        DeviceOptions options;
-        options.validation = 1;
-        return options;
-    }
-
     /// Opens the cache, makes a pipeline with it and saves it; returns what was logged.
     std::vector<LogCapture::Line> use() {
         const LogCapture log;

@@ -2,6 +2,7 @@
 // See guiding_fixture.h.
 #include "guiding_fixture.h"
 
+#include "gpu/validated.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "shared/cdq.h"
 #include "shared/octree.h"
@@ -15,14 +16,9 @@ namespace {
 /// Between SetUpTestSuite and TearDownTestSuite.
 struct Shared {
     Shared()
-        : device(options(), nullptr),
+        : device(test::validated(), nullptr),
           guiding(device, nullptr, 2), slots{gpu::FrameCommands(device),
                                              gpu::FrameCommands(device)} {}
-    static gpu::DeviceOptions options() {
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        return options;
-    }
     gpu::Device device;
     vkpt::Guiding guiding;
     std::array<gpu::FrameCommands, 2> slots; // frames in flight

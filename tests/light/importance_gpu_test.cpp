@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The same text on the GPU: importances and random words equal the host's, under validation.
+#include "gpu/validated.h"
 #include "importance_gpu.h"
 #include "shared/random.h"
 
@@ -12,14 +13,8 @@ using namespace shader;
 
 class ImportanceGpuTest : public testing::Test {
 protected:
-    ImportanceGpuTest() : device_(options(), nullptr) {}
+    ImportanceGpuTest() : device_(test::validated(), nullptr) {}
     ~ImportanceGpuTest() override { EXPECT_EQ(device_.validation_messages(), 0); }
-    static gpu::DeviceOptions options() {
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        return options;
-    }
-
     void expect_equal(bool glossy) {
         const ImportanceScene scene = make_importance_scene(4096, 500, glossy);
         ImportanceGpu gpu(device_, scene);

@@ -5,6 +5,7 @@
 #include "refresh/vkpt/overlay.h"
 
 #include "refresh/vkpt/gpu/commands.h"
+#include "gpu/validated.h"
 #include "validation_text.h"
 
 #include <array>
@@ -58,9 +59,7 @@ public:
 class OverlayTest : public testing::Test {
 protected:
     OverlayTest() {
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        device_.emplace(options, nullptr);
+        device_.emplace(test::validated(), nullptr);
         for (uint32_t i = 0; i < frames_in_flight; ++i)
             frames_.emplace_back(*device_);
     }

@@ -3,6 +3,7 @@
 // resizes, vsync changes, letterboxing and dropped frames without a message. Skipped without a
 // display. It does not read the screen back: no window system offers that portably.
 #include "common/error.h"
+#include "gpu/validated.h"
 #include "refresh/refresh.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/gpu/swapchain.h"
@@ -74,9 +75,7 @@ protected:
     void SetUp() override {
         if (!has_display()) GTEST_SKIP() << "no display: windows cannot be tested";
         window_.emplace();
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        device_.emplace(options, &*window_);
+        device_.emplace(test::validated(), &*window_);
         for (uint32_t i = 0; i < frames_in_flight; ++i)
             frames_.emplace_back(*device_);
         picture_ = gpu::Image(*device_, 64, 48, VK_FORMAT_R8G8B8A8_UNORM,

@@ -3,6 +3,7 @@
 // agree on triangle, instance, side, distance and coverage. They round differently, so a ray that
 // passes within a few roundings of an edge, or meets two triangles at one distance, may go either
 // way; every difference must be such a case in double precision.
+#include "gpu/validated.h"
 #include "query_gpu.h"
 #include "trace_scenes.h"
 
@@ -66,9 +67,7 @@ double rounding(const Meeting& meeting) {
 class QueryTest : public testing::Test {
 protected:
     void SetUp() override {
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        device_ = std::make_unique<gpu::Device>(options, nullptr);
+        device_ = std::make_unique<gpu::Device>(test::validated(), nullptr);
         if (!device_->features().ray_query)
             GTEST_SKIP() << device_->properties().deviceName << " has no VK_KHR_ray_query";
         scene_ = std::make_unique<QueryGpu>(*device_);

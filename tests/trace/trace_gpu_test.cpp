@@ -4,6 +4,7 @@
 // roundings and ties are forgiven.
 #include "bench/trace_rig.h"
 #include "common/log.h"
+#include "gpu/validated.h"
 #include "trace_scenes.h"
 
 #include <gtest/gtest.h>
@@ -29,9 +30,7 @@ protected:
         sink_ = add_log_sink([](Severity severity, std::string_view line) {
             if (severity != Severity::Info) std::cerr << line << '\n';
         });
-        gpu::DeviceOptions options;
-        options.validation = 2;
-        device_ = std::make_unique<gpu::Device>(options, nullptr);
+        device_ = std::make_unique<gpu::Device>(test::validated(), nullptr);
         rig_ = std::make_unique<TraceRig>(*device_, GetParam());
     }
     void TearDown() override {

@@ -2,6 +2,7 @@
 #include "render_test.h"
 
 #include "common/scratch_folder.h"
+#include "gpu/validated.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "shared/firewall.h"
 
@@ -45,7 +46,7 @@ public:
         shared.emplace();
         shared->files.mount_game(std::filesystem::path(VIGIL_SOURCE_DIR) / "tests" / "data",
                                  "baseq2");
-        cvars().set("vk_validation", "2");
+        cvars().set("vk_validation", std::to_string(validation()));
         shared->renderer = std::make_unique<vkpt::VkptRenderer>(shared->files, nullptr);
     }
     void TearDown() override { shared.reset(); }

@@ -4,14 +4,13 @@
 
 usage: numerics_page.py [--check] PAGE PROGRAM...
 
-PROGRAMs are those of the tests. Each has left a report, GoogleTest's XML, in the folder that GTEST_OUTPUT names
-(xml:FOLDER/, as `./run test` sets it), or in build/results; a report older than its program is passed over.
+PROGRAMs are those of the tests. Each has left a report, GoogleTest's XML, in a folder of build/results, as
+`./run test` makes them do it; a report older than its program is passed over.
 PAGE keeps its text; what stands between the two marks is made anew. With --check nothing is written: the exit status
 is 1 if the page lacks a row that a test recorded or demands something else in it, or has one that none did. What was
 seen may differ, as machines do.
 """
 
-import os
 import re
 import sys
 import xml.etree.ElementTree as tree
@@ -59,10 +58,10 @@ def without_seen(tables):
 
 def find_reports(programs):
     """The newest report of each program that is not older than the program. GoogleTest numbers reports: NAME_1.xml."""
-    folder = Path(os.environ.get("GTEST_OUTPUT", "").removeprefix("xml:") or "build/results")
+    folder = Path(__file__).resolve().parents[2] / "build" / "results"
     found = []
     for program in map(Path, programs):
-        reports = [path for path in folder.glob(program.name + "*.xml")
+        reports = [path for path in folder.glob("*/" + program.name + "*.xml")
                    if re.fullmatch(program.name + r"(_\d+)?\.xml", path.name)]
         newest = max(reports, key=lambda path: path.stat().st_mtime, default=None)
         if newest and program.exists() and newest.stat().st_mtime >= program.stat().st_mtime:
@@ -78,7 +77,7 @@ def main(arguments):
     page, programs = Path(names[0]), names[1:]
     reports = find_reports(programs)
     if not reports or (not check and len(reports) < len(programs)):
-        print(f"{len(reports)} of {len(programs)} reports are there: run the tests with GTEST_OUTPUT=xml:build/results/")
+        print(f"{len(reports)} of {len(programs)} reports are there: `./run test` makes them")
         sys.exit(SKIPPED if check else 1)
     text = page.read_text(encoding="utf-8")
     try:

@@ -7,13 +7,22 @@
 
 namespace vigil::gpu {
 
+namespace {
+
+std::string size_text(uint64_t bytes) {
+    if (bytes < 1024) return fmt::format("{} bytes", bytes);
+    const double kib = static_cast<double>(bytes) / 1024.0;
+    return kib < 1024.0 ? fmt::format("{:.1f} KiB", kib) : fmt::format("{:.1f} MiB", kib / 1024.0);
+}
+
+} // namespace
+
 Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* name,
                VkBufferUsageFlags extra_usage)
     : bytes_(std::max<uint64_t>(bytes, 16)) {
     if (use == MemoryUse::Device && bytes_ > device.features().max_storage_buffer_bytes)
-        fail("{} needs {:.1f} MiB, but this device's buffers end at {:.1f} MiB", name,
-             static_cast<double>(bytes_) / 1048576.0,
-             static_cast<double>(device.features().max_storage_buffer_bytes) / 1048576.0);
+        fail("{} needs {}, but this device's buffers end at {}", name, size_text(bytes_),
+             size_text(device.features().max_storage_buffer_bytes));
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = bytes_;
@@ -41,9 +50,7 @@ Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* 
     allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, wanted, preferred);
     VkDeviceMemory memory = VK_NULL_HANDLE;
     const VkResult result = vkAllocateMemory(device.handle(), &allocate, nullptr, &memory);
-    if (result != VK_SUCCESS)
-        fail("out of device memory: {} needs {:.1f} MiB", name,
-             static_cast<double>(bytes_) / 1048576.0);
+    if (result != VK_SUCCESS) fail("out of device memory: {} needs {}", name, size_text(bytes_));
     memory_ = {device.handle(), memory, vkFreeMemory};
     check(vkBindBufferMemory(device.handle(), buffer, memory, 0), "vkBindBufferMemory");
     if (use != MemoryUse::Device) {

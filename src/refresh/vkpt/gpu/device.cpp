@@ -126,7 +126,7 @@ std::string missing_from(VkPhysicalDevice device, VkSurfaceKHR surface) {
 
 } // namespace
 
-void check(VkResult result, const char* call) {
+void check(VkResult result, std::string_view call) {
     if (result == VK_SUCCESS) return;
     fail("{} failed ({}): {}", call, static_cast<int>(result), result_name(result));
 }
@@ -189,12 +189,15 @@ void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvi
     messenger.pfnUserCallback = &Device::on_message;
     messenger.pUserData = this;
 
-    const VkValidationFeatureEnableEXT synchronisation =
-        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    // By options.validation, from 2 on; each slows the other down.
+    constexpr VkValidationFeatureEnableEXT more[] = {
+        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT,
+        VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT};
     VkValidationFeaturesEXT validation{};
     validation.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
     validation.enabledValidationFeatureCount = 1;
-    validation.pEnabledValidationFeatures = &synchronisation;
+    if (options.validation > 1)
+        validation.pEnabledValidationFeatures = &more[options.validation - 2];
 
     VkInstanceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;

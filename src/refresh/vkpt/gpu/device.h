@@ -21,11 +21,11 @@ namespace vigil::gpu {
 
 /// Throws Error naming the call and the result unless `result` is VK_SUCCESS. A lost device and
 /// exhausted memory say what a person can do.
-void check(VkResult result, const char* call);
+void check(VkResult result, std::string_view call);
 
 struct DeviceOptions {
     std::string name;         // part of the device's name, or its index; empty: the best one
-    int validation = 0;       // 0 off, 1 core, 2 core and synchronisation
+    int validation = 0;       // 0 off, 1 core, 2 core and synchronisation, 3 core and GPU-assisted
     bool debug_names = false; // object names and labels for debuggers (always on with validation)
     bool allow_ray_query = true;
 };

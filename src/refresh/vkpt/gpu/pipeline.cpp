@@ -192,10 +192,9 @@ ComputePipeline::ComputePipeline(const Device& device, VkPipelineLayout layout,
     info.stage.pSpecializationInfo = &specialization;
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult result = vkCreateComputePipelines(
-        device.handle(), cache ? cache->handle() : VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
-    if (result != VK_SUCCESS)
-        fail("pass {}: vkCreateComputePipelines failed ({})", name, static_cast<int>(result));
+    check(vkCreateComputePipelines(device.handle(), cache ? cache->handle() : VK_NULL_HANDLE, 1,
+                                   &info, nullptr, &pipeline),
+          fmt::format("pass {}: vkCreateComputePipelines", name));
     pipeline_ = {device.handle(), pipeline, vkDestroyPipeline};
     device.set_name(VK_OBJECT_TYPE_PIPELINE, pipeline, name);
 }

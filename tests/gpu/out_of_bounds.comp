@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Reads past the end of what is bound, for a test of the validation that must notice.
+#version 460
+layout(local_size_x = 1) in;
+layout(set = 0, binding = 0) readonly buffer Values { uint values[]; };
+layout(set = 0, binding = 1) buffer Answer { uint answer; };
+layout(push_constant) uniform Push { uint at; };
+void main() { answer = values[at]; }
