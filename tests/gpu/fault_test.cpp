@@ -113,7 +113,7 @@ TEST_P(AnyCall, EndsTheProgramWithAMessage) {
         EXPECT_NE(outcome.text.find(GetParam().word), std::string::npos) << outcome.text;
         ASSERT_LT(first, 1000);
     }
-    EXPECT_GE(failed, 2) << "the fault was not met";
+    EXPECT_GE(failed, 1) << "the fault was not met";
 }
 
 INSTANTIATE_TEST_SUITE_P(
