@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -142,13 +143,18 @@ void Client::set_window_size(glm::ivec2 size) {
     if (window_ != nullptr && !fullscreen_) window_->set_size(size.x, size.y);
 }
 
-void Client::move_compare_line() {
-    const float counts = input_.take_drag();
-    if (counts == 0.0f) return;
-    // A count is a pixel where the system does not change the mouse's speed.
-    const float at =
-        variables_->pt_compare_at + counts / static_cast<float>(std::max(picture_size().x, 1));
+void Client::move_compare_line(float part) {
+    // Round numbers stay round.
+    constexpr float steps = 10000.0f;
+    const float at = std::round((variables_->pt_compare_at + part) * steps) / steps;
     commands_.variables().set(&CvarValues::pt_compare_at, std::clamp(at, 0.0f, 1.0f));
+}
+
+void Client::drag_compare_line() {
+    const float counts = input_.take_drag();
+    // A count is a pixel where the system does not change the mouse's speed.
+    if (counts != 0.0f)
+        move_compare_line(counts / static_cast<float>(std::max(picture_size().x, 1)));
 }
 
 FlightInput Client::take_input(double seconds) {
@@ -168,7 +174,7 @@ FlightInput Client::take_input(double seconds) {
 void Client::move_camera(double seconds) {
     const double moved_s = std::min(seconds, longest_move_s);
     const FlightInput held = take_input(moved_s);
-    move_compare_line();
+    drag_compare_line();
     if (flight_) {
         flight_->begin_frame(session_);
         return;

@@ -66,6 +66,8 @@ public:
     Input& input() { return input_; }
     /// Size of the picture in pixels.
     glm::ivec2 picture_size() const;
+    /// Moves the line of pt_compare by this part of the picture's width; it stays inside.
+    void move_compare_line(float part);
     /// Size of the window, if there is one and it does not fill the screen.
     void set_window_size(glm::ivec2 size);
 
@@ -111,7 +113,7 @@ private:
     void handle_events();
     void follow_settings();
     void move_camera(double seconds);
-    void move_compare_line();
+    void drag_compare_line();
     FlightInput take_input(double seconds);
     void render(double seconds);
     void finish_flight_frame(double seconds);

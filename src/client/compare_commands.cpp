@@ -6,7 +6,6 @@
 #include "client/screen_stats.h"
 #include "common/log.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace vigil::client {
@@ -35,8 +34,7 @@ std::vector<std::string> compared_names(CommandArguments arguments) {
 
 void move_line(Client& client, CommandArguments arguments) {
     check_count(arguments, 1, 1, "comparemove PART");
-    const float at = client.variables()->pt_compare_at + number_at(arguments, 0, "PART");
-    client.commands().variables().set(&CvarValues::pt_compare_at, std::clamp(at, 0.0f, 1.0f));
+    client.move_compare_line(number_at(arguments, 0, "PART"));
 }
 
 } // namespace

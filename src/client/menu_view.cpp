@@ -23,7 +23,6 @@ Box lay_out(const Menu& menu, const std::vector<MenuRow>& rows, const Pen& pen) 
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     Box box{};
     box.pad = pen.size();
-    box.row_height = std::ceil(pen.line_height() * 1.2f);
     float labels = pen.measure(menu.title()).x, values = 0.0f;
     for (const MenuRow& row : rows) {
         labels = std::max(labels, pen.measure(row.label).x);
@@ -35,6 +34,10 @@ Box lay_out(const Menu& menu, const std::vector<MenuRow>& rows, const Pen& pen) 
         std::min(std::max(labels + values + 4.0f * box.pad, 24.0f * pen.size()), screen.x);
     const float frame = 3.0f * box.pad + 2.0f * pen.line_height() +
                         static_cast<float>(about_rows) * pen.line_height();
+    // Small windows show as many rows as they can, closer together.
+    const auto count = static_cast<float>(std::max<size_t>(rows.size(), 1));
+    box.row_height = std::clamp(std::floor((screen.y - frame) / count), pen.line_height(),
+                                std::ceil(pen.line_height() * 1.2f));
     const auto room = static_cast<size_t>(std::max(1.0f, (screen.y - frame) / box.row_height));
     box.count = std::min(rows.size(), room);
     const size_t before = std::min(menu.chosen(), box.count / 2);
@@ -88,7 +91,8 @@ std::vector<MenuPlace> draw_menu(const Menu& menu, ImFont& font) {
     // More above and below.
     const float mark = right - pen.measure("v").x;
     if (box.first > 0) pen.text({mark, box.low.y + box.pad}, ink::dim, "^");
-    if (box.first + box.count < rows.size()) pen.text({mark, y}, ink::dim, "v");
+    if (box.first + box.count < rows.size())
+        pen.text({mark, y - box.row_height + inset}, ink::dim, "v");
     if (menu.chosen() < rows.size())
         pen.text({left, y + 0.5f * box.pad}, ink::dim, rows[menu.chosen()].about, right - left);
     list.PopClipRect();
