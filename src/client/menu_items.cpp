@@ -40,7 +40,7 @@ constexpr MenuAction actions[] = {
     {"Right", "+moveright"},
     {"Jump, up", "+moveup"},
     {"Crouch, down", "+movedown"},
-    {"Walk, fly fast", "+speed"},
+    {"Walk slowly, fly fast", "+speed"},
     {"Shoot", "+attack"},
     {"Turn left", "+left"},
     {"Turn right", "+right"},

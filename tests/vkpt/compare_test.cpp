@@ -49,6 +49,13 @@ protected:
             }
         return count;
     }
+    static int bright_pixels(const refresh::Picture& picture, int first, int end) {
+        int count = 0;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = first; x < end; ++x)
+                count += glm::any(glm::greaterThan(color_at(picture, x, y), glm::uvec3(8)));
+        return count;
+    }
     static glm::uvec3 color_at(const refresh::Picture& picture, int x, int y) {
         const size_t i = 4 * static_cast<size_t>(y * picture.width + x);
         return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
@@ -176,6 +183,7 @@ TEST_F(Compare, SwitchesWhileItIsOn) {
     set_size(320, 180);
     load("rooms");
     int step = 0;
+    uint64_t last = renderer().render(shot_.frame());
     constexpr std::array views{"none", "octree", "cdq", "zero"};
     for (const std::string_view compared : {"sll", "vlc+cdq", "none", "brute", "vlc"}) {
         set("pt_compare", compared);
@@ -186,7 +194,14 @@ TEST_F(Compare, SwitchesWhileItIsOn) {
             set("pt_compare_at", fmt::format("{}", 0.25 * (step % 5)));
             if (step % 4 == 0) set_size(160 + 16 * (step % 3), 90);
             if (step % 5 == 0) renderer().reset_guiding();
-            render(2);
+            // No frame is lost: the first one after a switch is a picture on both sides.
+            EXPECT_EQ(renderer().render(shot_.frame()), ++last);
+            const refresh::Picture seen = renderer().read_picture(false);
+            for (const int begin : {0, seen.width / 2})
+                EXPECT_GT(bright_pixels(seen, begin, begin + seen.width / 2),
+                          seen.width * seen.height / 20)
+                    << compared << " " << nee << " from column " << begin;
+            last = renderer().render(shot_.frame());
             EXPECT_FALSE(renderer().describe_scene().empty());
             EXPECT_FALSE(renderer().describe_guiding().empty());
             EXPECT_FALSE(renderer().describe_leaf().empty());
