@@ -52,7 +52,7 @@ vec3 directions_color(uvec2 pixel, vec3 picture, Surface at_crosshair, bool foun
     const DirectionInset inset = direction_inset(pixel, frame.size);
     if (inset.kind != INSET_NONE) return found ? inset_color(at_crosshair, inset) : VIEW_OFF;
     if (on_crosshair(pixel)) return VIEW_HORIZON;
-    if (frame.guided == 0u || !found) return picture;
+    if (guided == 0u || !found) return picture;
     const bool same_leaf = hit && find_leaves(here).cache == find_leaves(at_crosshair).cache;
     return same_leaf ? picture : VIEW_OTHER_LEAF * picture;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the octree and its light caches are at a surface, for the views: the leaf with its cell, and what lies in its
-// arrays. Only reads; call none of it where guiding is off (frame.guided).
+// arrays. Only reads; call none of it where guiding is off (guided).
 #ifndef VIGIL_DEBUG_OCTREE_VIEW_GLSL
 #define VIGIL_DEBUG_OCTREE_VIEW_GLSL
 

@@ -28,21 +28,21 @@ vec3 octree_color(Surface surface, float facing) {
 }
 
 vec3 technique_color(uint flags) {
-    if (frame.samples_lights == 0u) return VIEW_OFF;
+    if (samples_lights == 0u) return VIEW_OFF;
     const bool zero = (flags & PRIMARY_HIT_UNLIT) != 0u;
     if ((flags & PRIMARY_HIT_EXPLORED) != 0u) return zero ? VIEW_EXPLORED_ZERO : VIEW_EXPLORED;
     return zero ? VIEW_CACHE_ZERO : VIEW_CACHE;
 }
 
 vec3 zero_color(uint flags, float facing) {
-    if (frame.samples_lights == 0u) return VIEW_OFF;
+    if (samples_lights == 0u) return VIEW_OFF;
     if ((flags & PRIMARY_HIT_UNLIT) != 0u) return VIEW_ZERO_SAMPLE;
     return (0.5 + 0.5 * facing) * VIEW_LIT_SAMPLE;
 }
 
 /// Views of the octree and its caches, which exist only where guiding is on.
 vec3 guiding_color(int view, Surface surface, float facing) {
-    if (frame.guided == 0u) return VIEW_OFF;
+    if (guided == 0u) return VIEW_OFF;
     switch (view) {
     case VIEW_OCTREE: return octree_color(surface, facing);
     case VIEW_SAMPLES: return count_color(sample_count(surface), view_most_samples(frame.size), facing);

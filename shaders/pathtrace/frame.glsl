@@ -29,8 +29,21 @@ layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer Radi
 
 layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
 
-/// Which of the frame's pt_spp paths per pixel this dispatch traces: only path 0 teaches. A dispatch that traces none of them
-/// (views) has path_index == path_count.
-layout(push_constant, scalar) uniform PushBlock { uint path_index; uint path_count; };
+// The fields of PassConstants (shared/frame_params.h), which passes that belong to no side need not set beyond path_count.
+layout(push_constant, scalar) uniform PushBlock {
+    uint path_index;
+    uint path_count;
+    uint first_column;
+    uint end_column;
+    uint samples_lights;
+    uint guided;
+};
+
+/// The pixel of an invocation of a pass that is dispatched over a side's columns: from the work group of the first on. False
+/// where it is another side's, or none.
+bool pixel_of_side(out uvec2 pixel) {
+    pixel = gl_GlobalInvocationID.xy + uvec2(first_column & ~7u, 0u);
+    return pixel.x >= first_column && pixel.x < end_column && pixel.y < frame.size.y;
+}
 
 #endif

@@ -50,7 +50,7 @@ vec3 trace_path(Surface surface, inout Random random) {
 void main() {
     uvec2 pixel;
     uint index;
-    if (!pixel_of_invocation(pixel, index)) return;
+    if (!pixel_of_side_invocation(pixel, index)) return;
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return;
     Random random = path_random(pixel, STREAM_INDIRECT);

@@ -28,6 +28,13 @@ bool pixel_of_invocation(out uvec2 pixel, out uint index) {
     return inside;
 }
 
+bool pixel_of_side_invocation(out uvec2 pixel, out uint index) {
+    const bool inside = pixel_of_side(pixel);
+    index = pixel.y * frame.size.x + pixel.x;
+    if (inside) firewall_pixel = index;
+    return inside;
+}
+
 /// Adds to the pixel's sum of this frame, past the firewall.
 void add_radiance(uint index, vec3 value, bool first) {
     const vec3 before = first ? vec3(0.0) : radiance[index];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `tonemap`: exposed radiance to 8-bit sRGB. Curves: none (clip), Reinhard et al. 2002 on luminance with white at 4, and
 // Narkowicz's 2015 fit of the ACES filmic curve. A debug view, if one is on, is shown as it is.
+// Once per side of the picture, because views show what the side's technique knows.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "post/picture.glsl"
@@ -28,10 +29,13 @@ vec3 picture_color(vec3 value) {
 }
 
 void main() {
-    const uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(pixel, frame.size))) return;
+    uvec2 pixel;
+    if (!pixel_of_side(pixel)) return;
     const uint index = pixel.y * frame.size.x + pixel.x;
     vec3 color = picture_color(mean_radiance[index]);
     if (frame.cvars.pt_view != VIEW_NONE) color = view_color(pixel, color);
+    // The line between two sides: a dark column and a bright one, visible on any ground.
+    if (pixel.x + 1u == end_column && end_column < frame.size.x) color = vec3(0.0);
+    if (pixel.x == first_column && first_column > 0u) color = vec3(1.0);
     display[index] = packUnorm4x8(vec4(color, 1.0));
 }

@@ -45,12 +45,21 @@
     REAL(sensitivity, Archived, 3.0, 0.01, 100.0, \
         "mouse speed: the view turns 0.022 degrees times this per count, as in Quake") \
     INTEGER(m_invert, Archived, 0, 0, 1, "1: moving the mouse forward looks down") \
+    REAL(joy_deadzone, Archived, 0.15, 0.0, 0.9, \
+        "game controller: part of a stick's way around its middle that does nothing") \
+    REAL(joy_curve, Archived, 2.0, 0.25, 8.0, \
+        "game controller: response of the sticks: the power of the way beyond the dead zone; 1: linear") \
+    REAL(joy_look, Archived, 180.0, 1.0, 1440.0, \
+        "game controller: degrees per second that the view turns with the stick all the way") \
+    INTEGER(joy_invert, Archived, 0, 0, 1, "1: pushing the stick forward looks down") \
     REAL(fov, Archived, 90.0, 1.0, 170.0, \
         "horizontal field of view in degrees for a 4:3 picture; wider pictures see more") \
     REAL(cl_maxfps, Archived, 250.0, 1.0, 10000.0, \
         "most frames per second that the program tries to show; timedemo ignores it") \
     REAL(con_notify, Archived, 3.0, 0.0, 60.0, \
         "seconds that a new line of the console stays over the picture") \
+    INTEGER(scr_stats, Archived, 0, 0, 1, \
+        "1: frame time, times of groups of passes, technique and size stand in the window's corner; never in screenshots") \
     INTEGER(timedemo, Session, 0, 0, 1000, \
         "N above 0: demomap renders every frame of a demo once, as fast as it can, N times, and prints frame rate and GPU times") \
     STRING(timedemo_json, GuardedSession, "", \
@@ -58,6 +67,10 @@
     \
     CHOICE(pt_nee, Session, "vlc", technique_choices, \
         "how next event estimation chooses a light") \
+    CHOICE(pt_compare, Session, "none", compare_choices, \
+        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, +cdq with guided rays") \
+    REAL(pt_compare_at, Session, 0.5, 0.0, 1.0, \
+        "where pt_compare splits the picture, in parts of its width; 0: all of it is the right side, 1: the left") \
     CHOICE(pt_trace, Session, "auto", "auto|bvh|query", \
         "rays by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
     INTEGER(pt_spp, Session, 1, 1, 4096, "paths per pixel and frame") \

@@ -18,6 +18,8 @@
 
 #ifdef __cplusplus
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace vigil {
@@ -48,6 +50,43 @@ inline constexpr TechniqueInfo technique_infos[] = {
     VIGIL_TECHNIQUE_TABLE(VIGIL_TECHNIQUE_INFO)
 #undef VIGIL_TECHNIQUE_INFO
 };
+
+/// What `pt_compare` holds: "none|sll|sll+cdq|...".
+inline constexpr std::string_view compare_choices =
+    "none"
+#define VIGIL_COMPARE_CHOICE(name, help) "|" #name "|" #name "+cdq"
+    VIGIL_TECHNIQUE_TABLE(VIGIL_COMPARE_CHOICE)
+#undef VIGIL_COMPARE_CHOICE
+    ;
+
+/// A technique, and whether quadtrees of directions guide its indirect rays.
+struct TechniqueRow {
+    Technique technique = Technique::sll;
+    bool guided = false;
+    bool operator==(const TechniqueRow&) const = default;
+};
+
+/// The row that tables of measurements and `pt_compare` call "NAME", or "NAME+cdq" with guided rays; nothing if no technique is
+/// called NAME.
+constexpr std::optional<TechniqueRow> find_technique_row(std::string_view name) {
+    constexpr std::string_view suffix = "+cdq";
+    TechniqueRow row;
+    row.guided = name.ends_with(suffix);
+    if (row.guided) name.remove_suffix(suffix.size());
+    for (const TechniqueInfo& info : technique_infos) {
+        if (info.name == name) {
+            row.technique = static_cast<Technique>(&info - technique_infos);
+            return row;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The name that find_technique_row() finds.
+inline std::string technique_row_name(const TechniqueRow& row) {
+    const std::string_view name = technique_infos[static_cast<int>(row.technique)].name;
+    return std::string(name) + (row.guided ? "+cdq" : "");
+}
 
 } // namespace vigil
 

@@ -22,11 +22,6 @@ constexpr std::string_view usage =
 /// Where rays alone find the light (a sun behind a gap), nothing else converges in time.
 const std::string default_reference = "vlc+cdq";
 
-bool is_technique(std::string_view name) {
-    return std::ranges::any_of(technique_infos,
-                               [name](const TechniqueInfo& info) { return info.name == name; });
-}
-
 /// Fills what the command line left open.
 void complete(QualityOptions& options, std::vector<QualityRow> techniques,
               const std::vector<QualityRow>& variants) {
@@ -74,13 +69,12 @@ QualityRow parse_variant(std::string_view text) {
 }
 
 QualityRow technique_row(std::string_view name) {
-    constexpr std::string_view guided = "+cdq";
-    const bool is_guided = name.ends_with(guided);
-    const std::string_view technique = name.substr(0, name.size() - is_guided * guided.size());
-    if (!is_technique(technique))
-        fail("{}: no such technique; known are {}", technique, technique_choices);
+    const std::optional<TechniqueRow> row = find_technique_row(name);
+    if (!row)
+        fail("{}: no such technique; known are {}, each also with +cdq", name, technique_choices);
+    const std::string_view technique = technique_infos[static_cast<size_t>(row->technique)].name;
     return {std::string(name),
-            {{"pt_nee", std::string(technique)}, {"pt_guide", is_guided ? "cdq" : "brdf"}}};
+            {{"pt_nee", std::string(technique)}, {"pt_guide", row->guided ? "cdq" : "brdf"}}};
 }
 
 bool is_guided(const QualityRow& row) {

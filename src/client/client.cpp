@@ -2,6 +2,7 @@
 // The main loop.
 #include "client/client.h"
 
+#include "client/stick.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -31,7 +33,9 @@ Client::Client(const ClientParts& parts)
     : commands_(parts.commands), console_(parts.console), overlay_(parts.overlay),
       window_(parts.window), variables_(parts.commands.variables()),
       session_(parts.files, parts.renderer, variables_),
-      input_(commands_, parts.bindings, console_, session_.camera()),
+      menu_({commands_, parts.bindings, [this] { return list_levels(session_.files()); },
+             [this] { return list_demos(*this); }, [this] { return picture_size(); }}),
+      input_(commands_, parts.bindings, console_, menu_, session_.camera()),
       fullscreen_(variables_->vid_fullscreen != 0) {
     buttons_.add_commands(commands_);
     add_level_commands(*this);
@@ -43,6 +47,8 @@ Client::Client(const ClientParts& parts)
     add_preset_commands(*this);
     add_soak_command(*this);
     add_demo_commands(*this);
+    add_compare_commands(*this);
+    add_window_commands(*this);
 }
 
 Client::~Client() {
@@ -64,9 +70,9 @@ glm::ivec2 Client::picture_size() const {
 
 void Client::run() {
     if (!headless() && session_.level() == nullptr && commands_.idle()) {
-        console_.set_open(true);
-        log_info(
-            "`maps` lists the levels, `map NAME` loads one; Tab completes, `help` tells more.");
+        menu_.open();
+        log_info("The menu (ESCAPE) has levels; in the console (key `), `maps` lists them, `map "
+                 "NAME` loads one, Tab completes, `help` tells more.");
     }
     last_frame_s_ = clock_.seconds();
     while (!quitting_) {
@@ -119,7 +125,8 @@ void Client::handle_events() {
 }
 
 bool Client::mouse_look() const {
-    return input_.focused() && !console_.is_open() && session_.level() != nullptr;
+    return input_.focused() && !console_.is_open() && !menu_.is_open() &&
+           session_.level() != nullptr;
 }
 
 void Client::follow_settings() {
@@ -137,8 +144,42 @@ void Client::follow_settings() {
     }
 }
 
+void Client::set_window_size(glm::ivec2 size) {
+    if (window_ != nullptr && !fullscreen_) window_->set_size(size.x, size.y);
+}
+
+void Client::move_compare_line(float part) {
+    // Round numbers stay round.
+    constexpr float steps = 10000.0f;
+    const float at = std::round((variables_->pt_compare_at + part) * steps) / steps;
+    commands_.variables().set(&CvarValues::pt_compare_at, std::clamp(at, 0.0f, 1.0f));
+}
+
+void Client::drag_compare_line() {
+    const float counts = input_.take_drag();
+    // A count is a pixel where the system does not change the mouse's speed.
+    if (counts != 0.0f)
+        move_compare_line(counts / static_cast<float>(std::max(picture_size().x, 1)));
+}
+
+FlightInput Client::take_input(double seconds) {
+    FlightInput held = buttons_.take_frame();
+    if (!mouse_look()) return held; // sticks steer the menu, or nothing
+    const auto answer = [&](glm::vec2 place) {
+        return stick_response(place, variables_->joy_deadzone, variables_->joy_curve);
+    };
+    const glm::vec2 move = answer(input_.stick_move()), look = answer(input_.stick_look());
+    held.forward = std::clamp(held.forward + move.y, -1.0f, 1.0f);
+    held.right = std::clamp(held.right + move.x, -1.0f, 1.0f);
+    session_.camera().turn(glm::vec2(look.x, -look.y) * static_cast<float>(seconds),
+                           variables_->joy_look, variables_->joy_invert != 0);
+    return held;
+}
+
 void Client::move_camera(double seconds) {
-    const FlightInput held = buttons_.take_frame();
+    const double moved_s = std::min(seconds, longest_move_s);
+    const FlightInput held = take_input(moved_s);
+    drag_compare_line();
     if (flight_) {
         flight_->begin_frame(session_);
         return;
@@ -147,7 +188,6 @@ void Client::move_camera(double seconds) {
         if (!attempt("demomap", [&] { demo_->begin_frame(seconds, session_); })) end_demo();
         return;
     }
-    const double moved_s = std::min(seconds, longest_move_s);
     if (play_)
         play_->frame(held, moved_s, variables_->pt_accumulate != 0, session_);
     else
@@ -163,8 +203,11 @@ void Client::render(double seconds) {
         const bool full = session_.level() == nullptr;
         // Views invite questions about a place (`vlcinfo`).
         const bool crosshair = !full && variables_->pt_view != 0;
-        drawn = overlay_.draw(console_, picture_size(), now, seconds, variables_->con_notify, full,
-                              crosshair);
+        const bool stats = variables_->scr_stats != 0 && !full;
+        if (stats) stats_.add_frame(seconds, session_.recent_times(), variables_, picture_size());
+        drawn = overlay_.draw({console_, menu_, stats ? stats_.lines() : no_stats_,
+                               variables_->con_notify, full, crosshair},
+                              picture_size(), now, seconds);
     }
     session_.render(drawn, measuring());
 }
@@ -180,6 +223,7 @@ void Client::load_map(std::string_view name) {
     session_.load_map(name);
     if (!headless()) start_play();
     console_.set_open(false);
+    menu_.close();
     if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
     last_frame_s_ = clock_.seconds();
 }
@@ -209,6 +253,7 @@ void Client::start_flight(Route route, RunPlan plan) {
     end_play();
     flight_ = std::make_unique<FlyThrough>(std::move(route), std::move(plan));
     console_.set_open(false);
+    menu_.close();
 }
 
 void Client::end_flight() {
@@ -253,6 +298,7 @@ void Client::start_demo(DemoPlayback demo) {
     demo.start(session_);
     demo_ = std::make_unique<DemoPlayback>(std::move(demo));
     console_.set_open(false);
+    menu_.close();
     if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
     last_frame_s_ = clock_.seconds();
 }

@@ -11,8 +11,10 @@
 #include "client/held_buttons.h"
 #include "client/input.h"
 #include "client/key_bindings.h"
+#include "client/menu.h"
 #include "client/overlay.h"
 #include "client/play.h"
+#include "client/screen_stats.h"
 #include "client/session.h"
 #include "common/command.h"
 #include "common/stopwatch.h"
@@ -60,8 +62,14 @@ public:
     const CvarRegistry& variables() const { return variables_; }
     CommandRegistry& commands() { return commands_; }
     Console& console() { return console_; }
+    Menu& menu() { return menu_; }
+    Input& input() { return input_; }
     /// Size of the picture in pixels.
     glm::ivec2 picture_size() const;
+    /// Moves the line of pt_compare by this part of the picture's width; it stays inside.
+    void move_compare_line(float part);
+    /// Size of the window, if there is one and it does not fill the screen.
+    void set_window_size(glm::ivec2 size);
 
     /// Loads a level; while it loads, the window says so. Throws Error and keeps the level before.
     void load_map(std::string_view name);
@@ -110,6 +118,8 @@ private:
     void handle_events();
     void follow_settings();
     void move_camera(double seconds);
+    void drag_compare_line();
+    FlightInput take_input(double seconds);
     void render(double seconds);
     void finish_flight_frame(double seconds);
     void finish_demo_frame(double seconds);
@@ -128,7 +138,10 @@ private:
     const CvarRegistry& variables_;
     Session session_;
     HeldButtons buttons_;
+    Menu menu_;
     Input input_;
+    ScreenStats stats_;
+    const std::vector<std::string> no_stats_;
 
     std::unique_ptr<Play> play_;
     std::unique_ptr<FlyThrough> flight_;
@@ -156,6 +169,13 @@ void add_guiding_commands(Client& client);
 void add_preset_commands(Client& client);
 void add_demo_commands(Client& client);
 void add_soak_command(Client& client);
+/// compare, comparemove, +comparedrag.
+void add_compare_commands(Client& client);
+/// togglemenu, resolution.
+void add_window_commands(Client& client);
+
+/// Names for `demomap`.
+std::vector<std::string> list_demos(const Client& client);
 
 /// bind, unbind, unbindall, bindlist.
 void add_binding_commands(CommandRegistry& commands, KeyBindings& bindings);

@@ -2,7 +2,7 @@
 // Drawing the console with ImGui's draw lists.
 #include "client/console_view.h"
 
-#include <imgui.h>
+#include "client/pen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,63 +11,20 @@ namespace vigil::client {
 
 namespace {
 
-constexpr ImU32 sheet_top = IM_COL32(12, 14, 18, 235);
-constexpr ImU32 sheet_bottom = IM_COL32(24, 28, 34, 235);
-constexpr ImU32 edge_color = IM_COL32(230, 150, 50, 255);
-constexpr ImU32 info_color = IM_COL32(214, 214, 206, 255);
-constexpr ImU32 warning_color = IM_COL32(255, 205, 90, 255);
-constexpr ImU32 error_color = IM_COL32(255, 110, 95, 255);
-constexpr ImU32 typed_color = IM_COL32(140, 200, 255, 255);
-constexpr ImU32 dim_color = IM_COL32(150, 150, 145, 255);
-constexpr ImU32 chosen_color = IM_COL32(230, 150, 50, 90);
-constexpr ImU32 notice_ground = IM_COL32(12, 14, 18, 190);
-
 constexpr int most_suggestions = 12;
 constexpr float notice_height = 0.6f; // of the screen, at most
 
 ImU32 color_of(const Console::Line& line) {
     switch (line.severity) {
     case Severity::Warning:
-        return warning_color;
+        return ink::warning;
     case Severity::Error:
-        return error_color;
+        return ink::error;
     case Severity::Info:
         break;
     }
-    return line.text.starts_with(']') ? typed_color : info_color;
+    return line.text.starts_with(']') ? ink::typed : ink::info;
 }
-
-/// A pen that draws text of one size on the screen.
-class Pen {
-public:
-    explicit Pen(ImFont& font)
-        : font_(font), list_(*ImGui::GetForegroundDrawList()), size_(font.FontSize) {}
-
-    float line_height() const { return std::ceil(size_ * 1.15f); }
-
-    ImVec2 measure(std::string_view text, float wrap_width = 0.0f) const {
-        return font_.CalcTextSizeA(size_, 1e9f, wrap_width, text.data(), text.data() + text.size());
-    }
-
-    /// Rows that the text takes when it breaks at `wrap_width`.
-    int rows(std::string_view text, float wrap_width) const {
-        if (text.empty()) return 1;
-        return std::max(1, static_cast<int>(std::lround(measure(text, wrap_width).y / size_)));
-    }
-
-    void text(ImVec2 at, ImU32 color, std::string_view text, float wrap_width = 0.0f) const {
-        if (text.empty()) return;
-        list_.AddText(&font_, size_, at, color, text.data(), text.data() + text.size(), wrap_width);
-    }
-
-    ImDrawList& list() const { return list_; }
-    float size() const { return size_; }
-
-private:
-    ImFont& font_;
-    ImDrawList& list_;
-    float size_;
-};
 
 /// The scroll-back, from `bottom` upwards.
 void draw_lines(const Console& console, const Pen& pen, float left, float width, float bottom) {
@@ -75,7 +32,7 @@ void draw_lines(const Console& console, const Pen& pen, float left, float width,
     float y = bottom;
     if (console.scrolled() > 0) {
         y -= pen.line_height();
-        pen.text({left, y}, edge_color, "^   ^   ^   (newer lines below; PgDn)");
+        pen.text({left, y}, ink::edge, "^   ^   ^   (newer lines below; PgDn)");
     }
     for (size_t i = lines.size() - std::min(console.scrolled(), lines.size());
          i-- > 0 && y > 0.0f;) {
@@ -95,13 +52,13 @@ void draw_input(const Console& console, const Pen& pen, ImVec2 at, float width, 
 
     ImDrawList& list = pen.list();
     list.PushClipRect(at, {at.x + width, at.y + pen.line_height()}, true);
-    pen.text(at, edge_color, "]");
+    pen.text(at, ink::edge, "]");
     list.PushClipRect({at.x + prompt, at.y}, {at.x + width, at.y + pen.line_height()}, true);
     const float x = at.x + prompt - slide;
-    pen.text({x, at.y}, info_color, text);
+    pen.text({x, at.y}, ink::info, text);
     if (std::fmod(time_s, 1.0) < 0.6) {
         const float thick = std::max(1.0f, std::floor(pen.size() / 10.0f));
-        list.AddRectFilled({x + cursor, at.y}, {x + cursor + thick, at.y + pen.size()}, info_color);
+        list.AddRectFilled({x + cursor, at.y}, {x + cursor + thick, at.y + pen.size()}, ink::info);
     }
     list.PopClipRect();
     list.PopClipRect();
@@ -148,13 +105,13 @@ void draw_suggestions(const Console& console, const Pen& pen, float left, float 
     for (int i = first; i < first + count; ++i) {
         const Suggestion& suggestion = all[static_cast<size_t>(i)];
         if (i == chosen) {
-            list.AddRectFilled({low.x, y}, {high.x, y + pen.line_height()}, chosen_color);
+            list.AddRectFilled({low.x, y}, {high.x, y + pen.line_height()}, ink::chosen);
         }
-        pen.text({low.x + pad, y}, info_color, suggestion.word);
-        pen.text({low.x + word_width + 2.0f * pad, y}, dim_color, suggestion.about);
+        pen.text({low.x + pad, y}, ink::info, suggestion.word);
+        pen.text({low.x + word_width + 2.0f * pad, y}, ink::dim, suggestion.about);
         y += pen.line_height();
     }
-    if (more) pen.text({low.x + pad, y}, dim_color, fmt::format("{} in all", all.size()));
+    if (more) pen.text({low.x + pad, y}, ink::dim, fmt::format("{} in all", all.size()));
     list.PopClipRect();
 }
 
@@ -168,9 +125,9 @@ void draw_console(const Console& console, ImFont& font, float drop, double time_
     const float width = screen.x - 2.0f * pad;
 
     ImDrawList& list = pen.list();
-    list.AddRectFilledMultiColor({0.0f, 0.0f}, {screen.x, bottom}, sheet_top, sheet_top,
-                                 sheet_bottom, sheet_bottom);
-    list.AddRectFilled({0.0f, bottom - 2.0f}, {screen.x, bottom}, edge_color);
+    list.AddRectFilledMultiColor({0.0f, 0.0f}, {screen.x, bottom}, ink::sheet_top, ink::sheet_top,
+                                 ink::sheet_bottom, ink::sheet_bottom);
+    list.AddRectFilled({0.0f, bottom - 2.0f}, {screen.x, bottom}, ink::edge);
 
     const float input_y = bottom - 2.0f - pad - pen.line_height();
     list.PushClipRect({0.0f, 0.0f}, {screen.x, std::max(0.0f, input_y)}, true);
@@ -208,7 +165,7 @@ void draw_notices(const Console& console, ImFont& font, double time_s, double no
         // Noise is hard to read on, so every line brings its own ground.
         const float height = height_of(lines[i]);
         const float ground = std::min(width, pen.measure(lines[i].text, width).x) + 2.0f * pad;
-        pen.list().AddRectFilled({0.0f, y}, {ground, y + height}, notice_ground);
+        pen.list().AddRectFilled({0.0f, y}, {ground, y + height}, ink::ground);
         pen.text({pad, y}, color_of(lines[i]), lines[i].text, width);
         y += height;
     }

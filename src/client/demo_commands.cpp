@@ -33,21 +33,6 @@ std::filesystem::path recorded_path(const Client& client, std::string_view path)
     return std::filesystem::path(client.variables()->outdir) / path;
 }
 
-std::vector<std::string> list_demos(const Client& client) {
-    std::vector<std::string> names;
-    for (const std::string& path : client.session().files().list(folder, extension))
-        names.emplace_back(demo_name(path));
-    std::error_code none;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(recorded_path(client, folder), none)) {
-        const std::string name = entry.path().filename().string();
-        if (ends_nocase(name, extension)) names.emplace_back(demo_name(name));
-    }
-    std::ranges::sort(names);
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    return names;
-}
-
 /// A demo that was recorded here comes before one of the game's with the same name.
 std::vector<uint8_t> read_demo(const Client& client, const std::string& path) {
     if (const auto fault = game_path_fault(path); !fault.empty())
@@ -123,6 +108,21 @@ void record(Client& client, CommandArguments arguments) {
 }
 
 } // namespace
+
+std::vector<std::string> list_demos(const Client& client) {
+    std::vector<std::string> names;
+    for (const std::string& path : client.session().files().list(folder, extension))
+        names.emplace_back(demo_name(path));
+    std::error_code none;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(recorded_path(client, folder), none)) {
+        const std::string name = entry.path().filename().string();
+        if (ends_nocase(name, extension)) names.emplace_back(demo_name(name));
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
 
 void add_demo_commands(Client& client) {
     CommandRegistry& commands = client.commands();

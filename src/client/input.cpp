@@ -14,6 +14,7 @@ namespace {
 
 constexpr float degrees_per_count = 0.022f; // Quake's, times `sensitivity`
 constexpr float lines_per_wheel_step = 3.0f;
+constexpr float menu_stick_way = 0.5f; // of a stick, from where it moves the menu's choice
 
 /// Keys whose bindings work while the console is open: they type nothing.
 bool works_under_console(Key key) {
@@ -26,8 +27,9 @@ bool is_wheel(Key key) {
 
 } // namespace
 
-Input::Input(CommandRegistry& commands, KeyBindings& bindings, Console& console, Camera& camera)
-    : commands_(commands), bindings_(bindings), console_(console), camera_(camera) {}
+Input::Input(CommandRegistry& commands, KeyBindings& bindings, Console& console, Menu& menu,
+             Camera& camera)
+    : commands_(commands), bindings_(bindings), console_(console), menu_(menu), camera_(camera) {}
 
 void Input::handle(const platform::Event& event, bool mouse_look) {
     mouse_look_ = mouse_look;
@@ -52,10 +54,16 @@ void Input::on(const KeyEvent& event) {
 }
 
 void Input::press(const KeyEvent& event) {
-    const bool toggles = event.key == Key::Grave || event.key == Key::Escape;
-    if (toggles) {
-        skip_text_ = event.key == Key::Grave;
-        if (!event.repeat) console_.set_open(!console_.is_open());
+    if (event.key == Key::Grave) {
+        skip_text_ = true;
+        if (!event.repeat) {
+            menu_.close();
+            console_.set_open(!console_.is_open());
+        }
+        return;
+    }
+    if (event.key == Key::Escape) {
+        if (!event.repeat) press_escape();
         return;
     }
     if (event.key == Key::Enter && alt_) {
@@ -66,7 +74,20 @@ void Input::press(const KeyEvent& event) {
         if (!is_wheel(event.key)) console_.key(event.key, ctrl_, shift_);
         return;
     }
+    if (menu_.is_open() && (menu_.wants_key() || !works_under_console(event.key))) {
+        menu_.key(event.key, event.repeat);
+        return;
+    }
     if (!event.repeat) run(bindings_.press(event.key));
+}
+
+void Input::press_escape() {
+    if (console_.is_open())
+        console_.set_open(false);
+    else if (menu_.is_open())
+        menu_.key(Key::Escape, false);
+    else
+        menu_.open();
 }
 
 void Input::on(const platform::TextEvent& event) {
@@ -74,7 +95,12 @@ void Input::on(const platform::TextEvent& event) {
 }
 
 void Input::on(const platform::MouseMoveEvent& event) {
+    if (menu_.is_open()) menu_.point(event.position);
     if (!mouse_look_) return;
+    if (dragging_ && commands_.variables()->pt_compare != 0) {
+        dragged_ += event.delta.x;
+        return;
+    }
     const CvarValues& values = commands_.variables().values();
     camera_.turn(event.delta, values.sensitivity * degrees_per_count, values.m_invert != 0);
 }
@@ -88,11 +114,25 @@ void Input::on(const platform::WheelEvent& event) {
     console_.scroll(static_cast<int>(lines));
 }
 
+void Input::on(const platform::StickEvent& event) {
+    const bool left = event.stick == platform::StickEvent::Stick::Left;
+    (left ? stick_move_ : stick_look_) = event.place;
+    if (!left) return;
+    // In the menu it is a key that goes down past the half, and comes up below it.
+    const int direction = event.place.y > menu_stick_way    ? 1
+                          : event.place.y < -menu_stick_way ? -1
+                                                            : 0;
+    if (direction == std::exchange(menu_stick_, direction) || direction == 0) return;
+    if (menu_.is_open() && !menu_.wants_key() && !console_.is_open())
+        menu_.key(direction > 0 ? Key::Up : Key::Down, false);
+}
+
 void Input::on(const platform::FocusEvent& event) {
     focused_ = event.focused;
     if (focused_) return;
     // Keys that come up now are reported to another window.
     ctrl_ = shift_ = alt_ = skip_text_ = false;
+    stick_move_ = stick_look_ = glm::vec2(0.0f);
     run(bindings_.release_all());
 }
 

@@ -3,6 +3,7 @@
 #include "client/overlay.h"
 
 #include "client/console_view.h"
+#include "client/menu_view.h"
 
 #include <imgui.h>
 
@@ -65,14 +66,17 @@ Overlay::~Overlay() {
     ImGui::DestroyContext(context_);
 }
 
-ImDrawData* Overlay::draw(const Console& console, glm::ivec2 size, double time_s, double seconds,
-                          double notify_s, bool full, bool crosshair) {
-    const float wanted = !console.is_open() ? 0.0f : full ? 1.0f : open_height;
+ImDrawData* Overlay::draw(const OverlayContent& content, glm::ivec2 size, double time_s,
+                          double seconds) {
+    const Console& console = content.console;
+    const float wanted = !console.is_open() ? 0.0f : content.full ? 1.0f : open_height;
     const float step = screens_per_second * static_cast<float>(seconds);
     drop_ += std::clamp(wanted - drop_, -step, step);
 
-    const bool notices = drop_ == 0.0f && has_notices(console, time_s, notify_s);
-    if (size.x <= 0 || size.y <= 0 || (drop_ == 0.0f && !notices && !crosshair)) return nullptr;
+    const bool notices = drop_ == 0.0f && has_notices(console, time_s, content.notify_s);
+    const bool anything = drop_ > 0.0f || notices || content.crosshair || content.menu.is_open() ||
+                          !content.stats.empty();
+    if (size.x <= 0 || size.y <= 0 || !anything) return nullptr;
 
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -80,12 +84,15 @@ ImDrawData* Overlay::draw(const Console& console, glm::ivec2 size, double time_s
     io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4f);
     ImGui::NewFrame();
     ImFont* font = font_for(size.y);
+    // From the back to the front.
+    if (!content.stats.empty()) draw_stats(content.stats, *font, 0.0f);
     if (drop_ > 0.0f) {
         draw_console(console, *font, drop_, time_s);
     } else {
-        if (crosshair) draw_crosshair(font->FontSize / font_pixels);
-        draw_notices(console, *font, time_s, notify_s);
+        if (content.crosshair) draw_crosshair(font->FontSize / font_pixels);
+        draw_notices(console, *font, time_s, content.notify_s);
     }
+    if (content.menu.is_open()) content.menu.set_places(draw_menu(content.menu, *font));
     ImGui::Render();
     return ImGui::GetDrawData();
 }

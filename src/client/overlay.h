@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The layer over the picture, drawn with Dear ImGui: the console and its notices. It owns the ImGui
-// context; the renderer's backend turns the draw data into pixels. ImGui gets no input here: the
-// console edits its line itself (line_editor.h says why).
+// The layer over the picture, drawn with Dear ImGui: console, notices, menu and statistics. It owns
+// the ImGui context; the renderer's backend turns the draw data into pixels. ImGui gets no input
+// here: the console edits its line itself (line_editor.h says why), and the menu is told where its
+// rows are.
 #pragma once
 
 #include "client/console.h"
+#include "client/menu.h"
 
 #include <glm/glm.hpp>
+#include <string>
+#include <vector>
 
 struct ImDrawData;
 struct ImGuiContext;
 
 namespace vigil::client {
+
+/// What is to be seen over the picture.
+struct OverlayContent {
+    const Console& console;
+    Menu& menu;                            ///< is told where its rows are
+    const std::vector<std::string>& stats; ///< lines in the corner; may be none
+    double notify_s = 0.0;                 ///< new lines stay so long while the console is closed
+    bool full = false;      ///< the open console covers everything: there is no level
+    bool crosshair = false; ///< marks the middle of the picture while the console is closed
+};
 
 class Overlay {
 public:
@@ -23,12 +37,9 @@ public:
     Overlay& operator=(const Overlay&) = delete;
 
     /// Lets the console slide for `seconds` towards open or closed and draws it for a framebuffer
-    /// of `size` pixels. New lines stay on the screen for `notify_s` seconds while it is closed.
-    /// Without a level (`full`), the open console covers everything. `crosshair` marks the middle
-    /// of the picture while the console is closed. Returns null when there is nothing to see; the
+    /// of `size` pixels, and all else that there is to see. Returns null when that is nothing; the
     /// data is valid until the next call.
-    ImDrawData* draw(const Console& console, glm::ivec2 size, double time_s, double seconds,
-                     double notify_s, bool full, bool crosshair);
+    ImDrawData* draw(const OverlayContent& content, glm::ivec2 size, double time_s, double seconds);
 
 private:
     ImGuiContext* context_ = nullptr;

@@ -9,6 +9,7 @@
 #include "client/light_styles.h"
 #include "client/pass_statistics.h"
 #include "client/played_scene.h"
+#include "client/recent_times.h"
 #include "common/cvar.h"
 #include "common/file_system.h"
 #include "refresh/refresh.h"
@@ -78,6 +79,8 @@ public:
 
     PassStatistics& pass_statistics() { return statistics_; }
     /// Of recent frames.
+    const RecentTimes& recent_times() const { return recent_times_; }
+    /// Of recent frames.
     const CountStatistics& count_statistics() const { return counts_; }
 
 private:
@@ -110,6 +113,7 @@ private:
     uint64_t scene_changes_ = 0;
     std::optional<Shown> shown_;
     PassStatistics statistics_;
+    RecentTimes recent_times_;
     CountStatistics counts_{recent_frames};
     uint64_t last_frame_ = 0;
 };

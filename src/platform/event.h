@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a window reports: keys, typed text, the mouse, and changes of the window itself. Both window
-// systems deliver the same events, so nothing above this header knows which one runs.
+// What a window reports: keys, typed text, the mouse, game controllers, and changes of the window
+// itself. Both window systems deliver the same events, so nothing above this header knows which one
+// runs.
 #pragma once
 
 #include "platform/key.h"
@@ -36,6 +37,15 @@ struct WheelEvent {
     float steps = 0.0f;
 };
 
+/// A stick of a game controller went to `place`: right and up are positive, 1 is all the way, (0,
+/// 0) the middle. As the device tells it, so that a stick at rest may be a little off. Its buttons
+/// and triggers are keys.
+struct StickEvent {
+    enum class Stick { Left, Right };
+    Stick stick = Stick::Left;
+    glm::vec2 place{0.0f};
+};
+
 /// The framebuffer has a new size in pixels; (0, 0) while minimised.
 struct ResizeEvent {
     glm::ivec2 size{0};
@@ -48,7 +58,7 @@ struct FocusEvent {
 /// The person asked to close the window.
 struct CloseEvent {};
 
-using Event = std::variant<KeyEvent, TextEvent, MouseMoveEvent, WheelEvent, ResizeEvent, FocusEvent,
-                           CloseEvent>;
+using Event = std::variant<KeyEvent, TextEvent, MouseMoveEvent, WheelEvent, StickEvent, ResizeEvent,
+                           FocusEvent, CloseEvent>;
 
 } // namespace vigil::platform

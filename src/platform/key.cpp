@@ -26,6 +26,9 @@ constexpr std::array<std::string_view, key_count> names{
     "KP_0", "KP_1", "KP_2", "KP_3", "KP_4", "KP_5", "KP_6", "KP_7", "KP_8", "KP_9",
     "KP_ENTER", "KP_PLUS", "KP_MINUS", "KP_STAR", "KP_SLASH", "KP_DEL",
     "MOUSE1", "MOUSE2", "MOUSE3", "MOUSE4", "MOUSE5", "MWHEELUP", "MWHEELDOWN",
+    "PAD_A", "PAD_B", "PAD_X", "PAD_Y", "PAD_BACK", "PAD_GUIDE", "PAD_START", "PAD_LSTICK", "PAD_RSTICK",
+    "PAD_LB", "PAD_RB", "PAD_UP", "PAD_DOWN", "PAD_LEFT", "PAD_RIGHT", "PAD_LT",
+    "PAD_RT",
 };
 // clang-format on
 static_assert(!names.back().empty(), "a key has no name");

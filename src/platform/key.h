@@ -2,6 +2,8 @@
 // Keys and their names, the same for every window system. A key is a place on the keyboard, named
 // by what a US layout prints there, so WASD stays one hand's shape on any keyboard; typed
 // characters come separately as text events. Names are Quake's (ENTER, UPARROW, MWHEELUP, a).
+// Buttons of game controllers are keys too, named as on an Xbox controller (PAD_A is the lower
+// one).
 #pragma once
 
 #include <cstdint>
@@ -27,6 +29,9 @@ enum class Key : uint8_t {
     Keypad0, Keypad1, Keypad2, Keypad3, Keypad4, Keypad5, Keypad6, Keypad7, Keypad8, Keypad9,
     KeypadEnter, KeypadPlus, KeypadMinus, KeypadMultiply, KeypadDivide, KeypadPeriod,
     Mouse1, Mouse2, Mouse3, Mouse4, Mouse5, WheelUp, WheelDown,
+    PadA, PadB, PadX, PadY, PadBack, PadGuide, PadStart, PadLeftStick, PadRightStick,
+    PadLeftShoulder, PadRightShoulder, PadUp, PadDown, PadLeft, PadRight, PadLeftTrigger,
+    PadRightTrigger,
     Count
 };
 // clang-format on

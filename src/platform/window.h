@@ -29,6 +29,8 @@ public:
     /// Hides and holds the mouse; motion is then reported without limits.
     virtual void set_mouse_captured(bool captured) = 0;
     virtual void set_fullscreen(bool fullscreen) = 0;
+    /// Wanted size in screen units; in full screen it is that of the window afterwards.
+    virtual void set_size(int width, int height) = 0;
     virtual void set_title(const std::string& title) = 0;
     /// Text of the system's clipboard, "" when there is none.
     virtual std::string clipboard() const = 0;

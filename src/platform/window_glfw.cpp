@@ -2,6 +2,7 @@
 // The window by GLFW 3. GLFW's key tokens are places on a US keyboard; its callbacks fill a list
 // that poll_events hands out.
 #include "common/error.h"
+#include "platform/gamepad.h"
 #include "platform/window.h"
 
 #include <vulkan/vulkan.h>
@@ -9,6 +10,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -80,6 +82,41 @@ Key key_of(int code) {
 /// GLFW numbers the buttons left, right, middle, back, forward.
 Key key_of_button(int button) {
     return button >= 0 && button < 5 ? offset_key(Key::Mouse1, button) : Key::None;
+}
+
+/// GLFW's buttons in the order of its numbers.
+constexpr Key gamepad_keys[] = {
+    Key::PadA,
+    Key::PadB,
+    Key::PadX,
+    Key::PadY,
+    Key::PadLeftShoulder,
+    Key::PadRightShoulder,
+    Key::PadBack,
+    Key::PadStart,
+    Key::PadGuide,
+    Key::PadLeftStick,
+    Key::PadRightStick,
+    Key::PadUp,
+    Key::PadRight,
+    Key::PadDown,
+    Key::PadLeft,
+};
+static_assert(std::size(gamepad_keys) == GLFW_GAMEPAD_BUTTON_LAST + 1);
+
+GamepadState gamepad_state_of(const GLFWgamepadstate& raw, GamepadState before) {
+    GamepadState state;
+    for (size_t i = 0; i < std::size(gamepad_keys); ++i)
+        state.button(gamepad_keys[i]) = raw.buttons[i] == GLFW_PRESS;
+    // GLFW: down positive, and triggers from -1.
+    state.left = {raw.axes[GLFW_GAMEPAD_AXIS_LEFT_X], -raw.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
+    state.right = {raw.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], -raw.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]};
+    const auto pull = [&](Key key, int axis) {
+        state.button(key) = trigger_is_down(before.button(key), 0.5f * raw.axes[axis] + 0.5f);
+    };
+    pull(Key::PadLeftTrigger, GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+    pull(Key::PadRightTrigger, GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER);
+    return state;
 }
 
 std::string to_utf8(unsigned code_point) {
@@ -157,6 +194,7 @@ public:
 
     std::vector<Event> poll_events() override {
         glfwPollEvents();
+        poll_gamepads();
         return std::exchange(events_, {});
     }
 
@@ -185,6 +223,13 @@ public:
             glfwSetWindowMonitor(window_.get(), nullptr, restore_position_.x, restore_position_.y,
                                  restore_size_.x, restore_size_.y, 0);
         }
+    }
+
+    void set_size(int width, int height) override {
+        if (glfwGetWindowMonitor(window_.get()) != nullptr)
+            restore_size_ = {width, height};
+        else
+            glfwSetWindowSize(window_.get(), width, height);
     }
 
     void set_title(const std::string& title) override {
@@ -268,9 +313,26 @@ private:
         });
     }
 
+    /// GLFW reports no events of controllers, so they are looked at once a frame; a press that is
+    /// shorter is missed.
+    void poll_gamepads() {
+        const bool focused = glfwGetWindowAttrib(window_.get(), GLFW_FOCUSED) == GLFW_TRUE;
+        for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+            GLFWgamepadstate raw;
+            GamepadState& before = gamepads_.at(static_cast<size_t>(joystick));
+            GamepadState now; // at rest: of one that was pulled out, or while another window has
+                              // the keyboard
+            if (focused && glfwGetGamepadState(joystick, &raw) == GLFW_TRUE)
+                now = gamepad_state_of(raw, before);
+            add_gamepad_events(before, now, events_);
+            before = now;
+        }
+    }
+
     Library library_;
     std::unique_ptr<GLFWwindow, DestroyWindow> window_;
     std::vector<Event> events_;
+    std::array<GamepadState, GLFW_JOYSTICK_LAST + 1> gamepads_;
     glm::dvec2 cursor_{0.0};
     double wheel_remainder_ = 0.0;
     glm::ivec2 restore_position_{0};

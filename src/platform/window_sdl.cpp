@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The window by SDL 2. Keys are scancodes (places on the keyboard), text is SDL's text input.
 #include "common/error.h"
+#include "platform/gamepad_sdl.h"
 #include "platform/window.h"
 
 #include <SDL.h>
@@ -172,6 +173,10 @@ public:
         }
     }
 
+    void set_size(int width, int height) override {
+        SDL_SetWindowSize(window_.get(), width, height);
+    }
+
     void set_title(const std::string& title) override {
         SDL_SetWindowTitle(window_.get(), title.c_str());
     }
@@ -262,11 +267,13 @@ private:
             translate_window(event.window, events);
             break;
         default:
+            gamepads_.handle(event, events);
             break;
         }
     }
 
     VideoSystem video_;
+    SdlGamepads gamepads_;
     std::unique_ptr<SDL_Window, DestroyWindow> window_;
 };
 

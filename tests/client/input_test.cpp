@@ -107,7 +107,7 @@ protected:
     InputTest() { buttons_.add_commands(commands_); }
 
     void key(Key key, bool down, bool repeat = false) { send(KeyEvent{key, down, repeat}); }
-    void send(const Event& event) { input_.handle(event, !console_.is_open()); }
+    void send(const Event& event) { input_.handle(event, !console_.is_open() && !menu_.is_open()); }
 
     CvarRegistry variables_;
     CommandRegistry commands_{variables_};
@@ -115,7 +115,12 @@ protected:
     Console console_{commands_};
     Camera camera_;
     HeldButtons buttons_;
-    Input input_{commands_, bindings_, console_, camera_};
+    Menu menu_{{commands_, bindings_,
+                [] {
+                    return std::vector<std::string>{"one", "two"};
+                },
+                [] { return std::vector<std::string>(); }, [] { return glm::ivec2(640, 360); }}};
+    Input input_{commands_, bindings_, console_, menu_, camera_};
 };
 
 TEST_F(InputTest, AHeldKeyFliesUntilItComesUp) {
@@ -151,6 +156,62 @@ TEST_F(InputTest, TheConsoleTakesKeysAndTextWhileOpen) {
     EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
     key(Key::Escape, true);
     EXPECT_FALSE(console_.is_open());
+}
+
+TEST_F(InputTest, EscapeClosesTheConsoleAndThenOpensTheMenu) {
+    key(Key::Grave, true);
+    key(Key::Escape, true);
+    EXPECT_FALSE(console_.is_open());
+    EXPECT_FALSE(menu_.is_open());
+    key(Key::Escape, true, true); // held too long
+    EXPECT_FALSE(menu_.is_open());
+    key(Key::Escape, true);
+    EXPECT_TRUE(menu_.is_open());
+    key(Key::W, true); // moves nobody
+    EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
+    key(Key::Escape, true);
+    EXPECT_FALSE(menu_.is_open());
+    // The console takes the menu's place.
+    key(Key::Escape, true);
+    key(Key::Grave, true);
+    EXPECT_TRUE(console_.is_open());
+    EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(InputTest, SticksStandWhereTheControllerSaysUntilTheWindowLosesTheKeyboard) {
+    send(StickEvent{StickEvent::Stick::Left, {0.25f, 1.0f}});
+    send(StickEvent{StickEvent::Stick::Right, {-1.0f, 0.0f}});
+    EXPECT_EQ(input_.stick_move(), glm::vec2(0.25f, 1.0f));
+    EXPECT_EQ(input_.stick_look(), glm::vec2(-1.0f, 0.0f));
+    send(FocusEvent{false});
+    EXPECT_EQ(input_.stick_move(), glm::vec2(0.0f));
+    EXPECT_EQ(input_.stick_look(), glm::vec2(0.0f));
+}
+
+TEST_F(InputTest, TheStickStepsThroughTheMenuOncePerPush) {
+    menu_.open();
+    for (const float y : {-0.2f, -0.6f, -0.9f, -0.6f, 0.0f, -1.0f})
+        send(StickEvent{StickEvent::Stick::Left, {0.0f, y}});
+    EXPECT_EQ(menu_.chosen(), 2u);
+    send(StickEvent{StickEvent::Stick::Left, {0.0f, 1.0f}});
+    EXPECT_EQ(menu_.chosen(), 1u);
+}
+
+TEST_F(InputTest, TheMouseMovesTheLineWhileItIsDragged) {
+    input_.set_dragging(true);
+    send(MouseMoveEvent{{}, {10.0f, 5.0f}}); // nothing is compared
+    EXPECT_EQ(input_.take_drag(), 0.0f);
+    EXPECT_NE(camera_.angles().y, 0.0f);
+    const glm::vec3 angles = camera_.angles();
+    variables_.set("pt_compare", "sll");
+    send(MouseMoveEvent{{}, {10.0f, 5.0f}});
+    send(MouseMoveEvent{{}, {-4.0f, 0.0f}});
+    EXPECT_EQ(input_.take_drag(), 6.0f);
+    EXPECT_EQ(input_.take_drag(), 0.0f);
+    EXPECT_EQ(camera_.angles(), angles);
+    input_.set_dragging(false);
+    send(MouseMoveEvent{{}, {10.0f, 5.0f}});
+    EXPECT_NE(camera_.angles(), angles);
 }
 
 TEST_F(InputTest, FastTypingWithinOneFrameStaysInOrder) {

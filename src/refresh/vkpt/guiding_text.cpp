@@ -133,16 +133,17 @@ std::string VkptRenderer::guiding_off_text() const {
     if (!scene_) return "no level is loaded";
     if (shown_.guided) return {};
     return fmt::format("guiding was off in the last frame: pt_nee {} learns nothing",
-                       technique_infos[static_cast<size_t>(technique_id_)].name);
+                       technique_infos[static_cast<size_t>(shown_side().id())].name);
 }
 
 std::string VkptRenderer::describe_guiding() const {
     if (std::string off = guiding_off_text(); !off.empty()) return off;
-    const Guiding::Tree& tree = guiding_.tree();
+    const Guiding::Tree& tree = shown_side().guiding().tree();
     // There are two trees, the one before and the one of the frame.
     const uint64_t trees = 2 * (tree.nodes.bytes() + tree.cells.bytes() + tree.leaves.bytes());
-    const uint64_t samples = guiding_.samples().bytes(), caches = 2 * tree.caches.bytes();
-    const uint64_t total = guiding_.memory_bytes();
+    const uint64_t samples = shown_side().guiding().samples().bytes(),
+                   caches = 2 * tree.caches.bytes();
+    const uint64_t total = shown_side().guiding().memory_bytes();
     std::string text = "guiding memory, bytes";
     const auto row = [&](std::string_view name, uint64_t bytes) {
         text += fmt::format("\n  {:<22} {:>12}  {:8.2f} MiB", name, bytes, mebibytes(bytes));
@@ -154,7 +155,7 @@ std::string VkptRenderer::describe_guiding() const {
     row("light caches, twice", caches);
     row("rays, plan and lists", total - trees - samples - caches);
     row("all", total);
-    const shader::GuidingHeader& header = guiding_.header();
+    const shader::GuidingHeader& header = shown_side().guiding().header();
     text += fmt::format("\n  room for {} inner nodes, {} light samples, {} light ids in caches",
                         header.node_capacity, header.sample_capacity, header.vlc_capacity);
     return text;
@@ -164,7 +165,8 @@ std::string VkptRenderer::guiding_line() const {
     if (!shown_.guided) return "off";
     return fmt::format("octree of {} leaves, depth {}; {} caches; {:.1f} MiB",
                        octree_leaf_count(guiding_work_.nodes), guiding_work_.depth,
-                       guiding_work_.cached_leaves, mebibytes(guiding_.memory_bytes()));
+                       guiding_work_.cached_leaves,
+                       mebibytes(shown_side().guiding().memory_bytes()));
 }
 
 std::string VkptRenderer::describe_leaf() const {
@@ -172,7 +174,7 @@ std::string VkptRenderer::describe_leaf() const {
     const std::optional<shader::PrimaryHit> hit = hit_under_crosshair();
     if (!hit) return nothing_there;
     const auto [now, before] =
-        leaves_of(*hit, *scene_, TreeCopy(device_, guiding_), shown_.bucket_size);
+        leaves_of(*hit, *scene_, TreeCopy(device_, shown_side().guiding()), shown_.bucket_size);
     std::string text = place_text(*hit) + leaf_text(now) + "\n";
     // What moves uses the cache of where it was.
     if (before.leaf != now.leaf)
@@ -187,7 +189,7 @@ std::string VkptRenderer::describe_directions() const {
     const std::optional<shader::PrimaryHit> hit = hit_under_crosshair();
     if (!hit) return nothing_there;
     const auto [now, before] =
-        leaves_of(*hit, *scene_, TreeCopy(device_, guiding_), shown_.bucket_size);
+        leaves_of(*hit, *scene_, TreeCopy(device_, shown_side().guiding()), shown_.bucket_size);
     std::string text = place_text(*hit) + leaf_text(now) + "\n";
     text += fmt::format("  rays            {} brought light in this frame, room for {}\n", now.rays,
                         now.room);

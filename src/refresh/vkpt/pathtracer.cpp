@@ -47,7 +47,8 @@ PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cach
                                     unused_, "scene set");
     const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
                                                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    technique_set_ = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
+    for (gpu::DescriptorSet& set : technique_sets_)
+        set = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
     layout_ = gpu::make_pipeline_layout(device, set_layouts());
     direction_map_ =
         gpu::Buffer(device,
@@ -83,7 +84,8 @@ void PathTracer::resize(glm::uvec2 size) {
     size_ = size;
 }
 
-void PathTracer::bind(const Scene& scene, const LightTechnique& technique) {
+void PathTracer::bind(const Scene& scene, const LightTechnique& technique,
+                      const LightTechnique* right) {
     scene_set_.bind(BINDING_FRAME, frame_);
     scene.nodes().bind(scene_set_.handle(), BINDING_BVH_NODES);
     scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
@@ -106,9 +108,13 @@ void PathTracer::bind(const Scene& scene, const LightTechnique& technique) {
     // The compute backend's pipelines do not look at this binding.
     if (scene.acceleration_structure() != VK_NULL_HANDLE)
         scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, scene.acceleration_structure());
-    const LightTechnique::Bindings bindings = technique.bindings();
-    for (uint32_t i = 0; i < bindings.size(); ++i)
-        technique_set_.bind(i, bindings[i] ? *bindings[i] : unused_);
+    const std::array<const LightTechnique*, most_sides> techniques{&technique, right};
+    for (size_t side = 0; side < most_sides; ++side) {
+        LightTechnique::Bindings bindings{};
+        if (techniques[side] != nullptr) bindings = techniques[side]->bindings();
+        for (uint32_t i = 0; i < bindings.size(); ++i)
+            technique_sets_[side].bind(i, bindings[i] ? *bindings[i] : unused_);
+    }
 }
 
 gpu::ComputePipeline PathTracer::make_pipeline(const PathTracerVariant& variant,
@@ -134,15 +140,34 @@ PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& variant) {
     return *variants_.back();
 }
 
-void PathTracer::record_direction_map(gpu::FrameCommands& commands, Pipelines& made,
-                                      uint32_t paths) {
+void PathTracer::select_side(VkCommandBuffer commands, std::span<const PictureSide> sides,
+                             size_t side, uint32_t path, uint32_t paths) {
+    const PictureSide& chosen = sides[side];
+    const std::array sets{scene_set_.handle(), technique_sets_[side].handle(), chosen.guiding};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
+                            static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
+    const shader::PassConstants push{path,
+                                     paths,
+                                     chosen.first_column,
+                                     chosen.end_column,
+                                     chosen.samples_lights ? 1u : 0u,
+                                     chosen.guided ? 1u : 0u};
+    vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
+                       &push);
+}
+
+void PathTracer::record_direction_map(gpu::FrameCommands& commands,
+                                      std::span<const PictureSide> sides, uint32_t paths) {
+    // The crosshair looks at one side.
+    const uint32_t column = shader::crosshair_pixel(size_).x;
+    const size_t side = sides.size() > 1 && column >= sides[1].first_column ? 1 : 0;
+    Pipelines& made = pipelines(sides[side].variant);
     if (!made.direction_map)
         made.direction_map =
             make_pipeline(made.variant, "direction_map." + technique_name(made.variant));
     const VkCommandBuffer buffer = commands.commands();
     // None of the frame's paths: the octree and its caches do not learn from a view.
-    const uint32_t push[2] = {paths, paths};
-    vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push), push);
+    select_side(buffer, sides, side, paths, paths);
     const PassScope scope(device_, commands, Pass::Directions);
     made.direction_map.bind(buffer);
     constexpr uint32_t groups = shader::DIRECTION_MAP_EDGE / 8;
@@ -152,11 +177,14 @@ void PathTracer::record_direction_map(gpu::FrameCommands& commands, Pipelines& m
 void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
                         const shader::FrameParams& params, uint32_t paths, bool samples_lights,
                         VkDescriptorSet guiding) {
-    Pipelines& made = pipelines(variant);
+    const PictureSide whole{variant, samples_lights && variant.features.lights, false, guiding, 0,
+                            size_.x};
+    record(commands, std::span(&whole, 1), params, paths);
+}
+
+void PathTracer::record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
+                        const shader::FrameParams& params, uint32_t paths) {
     const VkCommandBuffer buffer = commands.commands();
-    const std::array sets{scene_set_.handle(), technique_set_.handle(), guiding};
-    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
-                            static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
     commands.upload(frame_, 0, gpu::bytes_of_value(params));
     gpu::full_barrier(buffer);
     const glm::uvec2 tiles = (size_ + 7u) / 8u;
@@ -165,18 +193,31 @@ void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& v
         pipeline.bind(buffer);
         vkCmdDispatch(buffer, groups.x, groups.y, 1);
     };
+    // `passes` of every side that has pixels, over its columns.
+    const auto run_sides = [&](uint32_t path, const auto& passes) {
+        for (size_t i = 0; i < sides.size(); ++i) {
+            const PictureSide& side = sides[i];
+            if (side.first_column >= side.end_column) continue;
+            select_side(buffer, sides, i, path, paths);
+            const uint32_t columns = (side.end_column + 7) / 8 - side.first_column / 8;
+            passes(side, pipelines(side.variant), glm::uvec2(columns, tiles.y));
+        }
+    };
     for (uint32_t path = 0; path < paths; ++path) {
-        const uint32_t push[2] = {path, paths};
-        vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
-                           push);
-        run(Pass::Primary, made.primary, tiles);
-        if (samples_lights && variant.features.lights) run(Pass::Direct, made.direct, tiles);
-        run(Pass::Indirect, made.indirect, tiles);
+        select_side(buffer, sides, 0, path, paths);
+        run(Pass::Primary, pipelines(sides[0].variant).primary, tiles);
+        run_sides(path, [&](const PictureSide& side, const Pipelines& made, glm::uvec2 groups) {
+            if (side.samples_lights) run(Pass::Direct, made.direct, groups);
+            run(Pass::Indirect, made.indirect, groups);
+        });
     }
-    if (params.cvars.pt_view == shader::VIEW_CDQ) record_direction_map(commands, made, paths);
+    if (params.cvars.pt_view == shader::VIEW_CDQ) record_direction_map(commands, sides, paths);
+    select_side(buffer, sides, 0, paths, paths);
     run(Pass::Accumulate, accumulate_, tiles);
     run(Pass::Exposure, exposure_pipeline_, {1, 1});
-    run(Pass::Tonemap, made.tonemap, tiles);
+    run_sides(paths, [&](const PictureSide&, const Pipelines& made, glm::uvec2 groups) {
+        run(Pass::Tonemap, made.tonemap, groups);
+    });
 }
 
 } // namespace vigil::vkpt

@@ -9,7 +9,9 @@
 #include "refresh/vkpt/scene/scene.h"
 #include "shared/frame_params.h"
 
+#include <array>
 #include <map>
+#include <span>
 
 namespace vigil::vkpt {
 
@@ -20,6 +22,17 @@ struct PathTracerVariant {
     bool ray_query = false;
     uint32_t cdq_bits = 0; // of the quadtrees that guide indirect rays; 0: none do
     bool operator==(const PathTracerVariant&) const = default;
+};
+
+/// A part of the picture's columns, and how it is traced. While techniques are compared there are
+/// two.
+struct PictureSide {
+    PathTracerVariant variant;
+    bool samples_lights = false;       ///< the technique's promise
+    bool guided = false;               ///< set 2 is this frame's: views may look into it
+    VkDescriptorSet guiding = nullptr; ///< set 2
+    uint32_t first_column = 0;
+    uint32_t end_column = 0; ///< the one after its last; a side may have none
 };
 
 /// The features as constants of shaders: the ids of trace/trace.glsl and pathtrace/frame.glsl.
@@ -34,11 +47,19 @@ public:
     /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
     /// too small.
     void resize(glm::uvec2 size);
-    /// Points the sets at the scene's and the technique's buffers. The GPU must be idle.
-    void bind(const Scene& scene, const LightTechnique& technique);
+    /// Points the sets at the scene's and the technique's buffers; `right` is that of the second
+    /// side, null if there is none. The GPU must be idle.
+    void bind(const Scene& scene, const LightTechnique& technique,
+              const LightTechnique* right = nullptr);
 
-    /// Records the frame's passes from `primary` to `tonemap`, `paths` paths per pixel.
-    /// `guiding` is set 2.
+    /// Sides of a picture, at most.
+    static constexpr size_t most_sides = 2;
+
+    /// Records the frame's passes from `primary` to `tonemap`, `paths` paths per pixel. Camera
+    /// rays, means and exposure are the whole picture's; the features of all sides are the same.
+    void record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
+                const shader::FrameParams& params, uint32_t paths);
+    /// The whole picture by one technique. `guiding` is set 2.
     void record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
                 const shader::FrameParams& params, uint32_t paths, bool samples_lights,
                 VkDescriptorSet guiding);
@@ -53,10 +74,11 @@ public:
     VkPipelineLayout layout() const { return layout_.get(); }
     /// Layouts of sets 0, 1 and 2.
     std::array<VkDescriptorSetLayout, 3> set_layouts() const {
-        return {scene_set_.layout(), technique_set_.layout(), guiding_layout_};
+        return {scene_set_.layout(), technique_sets_[0].layout(), guiding_layout_};
     }
     VkDescriptorSet scene_set() const { return scene_set_.handle(); }
-    VkDescriptorSet technique_set() const { return technique_set_.handle(); }
+    /// Of the first side.
+    VkDescriptorSet technique_set() const { return technique_sets_[0].handle(); }
 
 private:
     struct Pipelines {
@@ -66,7 +88,10 @@ private:
     };
     gpu::ComputePipeline make_pipeline(const PathTracerVariant& variant, const std::string& name);
     Pipelines& pipelines(const PathTracerVariant& variant);
-    void record_direction_map(gpu::FrameCommands& commands, Pipelines& made, uint32_t paths);
+    void select_side(VkCommandBuffer commands, std::span<const PictureSide> sides, size_t side,
+                     uint32_t path, uint32_t paths);
+    void record_direction_map(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
+                              uint32_t paths);
 
     const gpu::Device& device_;
     const gpu::PipelineCache& cache_;
@@ -74,7 +99,8 @@ private:
     glm::uvec2 size_{0, 0};
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
         display_, ltc_, direction_map_;
-    gpu::DescriptorSet scene_set_, technique_set_;
+    gpu::DescriptorSet scene_set_;
+    std::array<gpu::DescriptorSet, most_sides> technique_sets_;
     gpu::Handle<VkPipelineLayout> layout_;
     gpu::ComputePipeline accumulate_, exposure_pipeline_;
     std::vector<std::unique_ptr<Pipelines>> variants_;

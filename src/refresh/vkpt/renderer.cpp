@@ -8,6 +8,7 @@
 #include "refresh/vkpt/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
+#include "shared/direction_map.h"
 #include "shared/views.h"
 #include "world/level.h"
 
@@ -35,8 +36,8 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface)
     : files_(files), surface_(surface), device_(device_options(), surface),
       pipeline_cache_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
                                                                        gpu::FrameCommands(device_)},
-      guiding_(device_, &pipeline_cache_, frames_in_flight),
-      path_tracer_(device_, pipeline_cache_, guiding_.layout()) {
+      left_(device_, pipeline_cache_, frames_in_flight),
+      path_tracer_(device_, pipeline_cache_, left_.guiding().layout()) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -50,7 +51,8 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
     auto lister = std::make_unique<LightLister>(level->bsp, level->pvs);
     auto scene = std::make_unique<Scene>(device_, files_, level);
     device_.wait_idle();
-    technique_.reset();
+    left_.clear();
+    right_.reset();
     scene_ = std::move(scene);
     lister_ = std::move(lister);
     level_ = std::move(level);
@@ -65,12 +67,16 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
 
 void VkptRenderer::reset_guiding() {
     if (!scene_) return;
-    if (technique_) technique_->forget();
+    reset_side(left_);
+    if (right_) reset_side(*right_);
+}
+
+void VkptRenderer::reset_side(Side& side) {
     // A cube around the world, larger by odd fractions: few walls lie on the borders of its cells.
     const Bounds& bounds = scene_->world_bounds();
     const glm::vec3 extent = bounds.extent();
     const float size = 1.0137f * std::max({extent.x, extent.y, extent.z, 1.0f});
-    guiding_.restart(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size);
+    side.forget(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size);
 }
 
 refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
@@ -99,12 +105,87 @@ void VkptRenderer::resize(glm::uvec2 size) {
     rebind_ = true;
 }
 
-void VkptRenderer::select_technique(Technique technique) {
-    if (technique_ && technique == technique_id_) return;
+uint32_t VkptRenderer::split_column() const {
+    const uint32_t width = path_tracer_.size().x;
+    if (!right_) return width;
+    return static_cast<uint32_t>(std::lround(cvars()->pt_compare_at * static_cast<float>(width)));
+}
+
+void VkptRenderer::select_sides() {
+    const TechniqueContext context{device_, *lister_};
+    rebind_ |= left_.select(static_cast<Technique>(cvars()->pt_nee), context);
+    left_.set_cdq_bits(cdq_bits());
+    const std::optional<TechniqueRow> compared =
+        find_technique_row(choice_name(compare_choices, cvars()->pt_compare));
+    if (right_.has_value() != compared.has_value()) {
+        // A side that nobody looks at takes no memory, and begins anew when it comes back.
+        device_.wait_idle();
+        right_.reset();
+        rebind_ = true;
+        if (compared) {
+            right_.emplace(device_, pipeline_cache_, frames_in_flight);
+            reset_side(*right_);
+        }
+    }
+    if (!compared) return;
+    rebind_ |= right_->select(compared->technique, context);
+    right_->set_cdq_bits(cdq_bits_of(compared->guided));
+}
+
+void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
+    const LightFrame lights{scene_->lights(), frame.view.origin};
+    rebind_ |= left_.technique()->prepare(lights);
+    if (right_) rebind_ |= right_->technique()->prepare(lights);
+    if (!rebind_) return;
     device_.wait_idle();
-    technique_ = make_technique(technique, {device_, *lister_});
-    technique_id_ = technique;
-    rebind_ = true;
+    path_tracer_.bind(*scene_, *left_.technique(), right_ ? right_->technique() : nullptr);
+    rebind_ = false;
+}
+
+void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
+    // A side without pixels rests: it learned nothing from the frame before, and is not looked at.
+    const uint32_t split = split_column(), width = path_tracer_.size().x;
+    const uint64_t number = frame_number_ - first_frame_;
+    const auto update = [&](Side& side) {
+        side.technique()->adapt(commands);
+        side.update_guiding(commands, slot, path_tracer_.size(), number);
+    };
+    if (split > 0) update(left_);
+    if (split < width) update(*right_);
+}
+
+std::vector<PictureSide> VkptRenderer::picture_sides() const {
+    const SceneFeatures features = scene_->features();
+    const auto describe = [&](const Side& side, uint32_t first, uint32_t end) {
+        return PictureSide{{side.id(), features, use_ray_query(), side.cdq_bits()},
+                           side.technique()->samples_lights() && features.lights,
+                           side.guided(),
+                           side.guiding().set(),
+                           first,
+                           end};
+    };
+    const uint32_t split = split_column();
+    std::vector<PictureSide> sides{describe(left_, 0, split)};
+    if (right_) sides.push_back(describe(*right_, split, path_tracer_.size().x));
+    return sides;
+}
+
+void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides) {
+    for (size_t i = 0; i < sides.size(); ++i) {
+        const PictureSide& side = sides[i];
+        legends_.at(i).record(commands, path_tracer_.display(),
+                              {cvars()->pt_view, side.variant.technique, side.samples_lights,
+                               side.guided, path_tracer_.size(),
+                               (i == 0 ? left_ : *right_).technique()->uses_guiding(),
+                               side.variant.cdq_bits > 0, side.first_column, side.end_column});
+    }
+    if (sides.size() < 2) return;
+    std::array<std::string, 2> names;
+    for (size_t i = 0; i < names.size(); ++i)
+        names.at(i) =
+            technique_row_name({sides[i].variant.technique, sides[i].variant.cdq_bits > 0});
+    side_labels_.record(commands, path_tracer_.display(), path_tracer_.size(), split_column(),
+                        names);
 }
 
 bool VkptRenderer::use_ray_query() const {
@@ -145,25 +226,13 @@ bool VkptRenderer::prepare_ray_query() {
 }
 
 uint32_t VkptRenderer::cdq_bits() const {
+    return cdq_bits_of(cvars()->pt_guide == cvar_choice("pt_guide", "cdq"));
+}
+
+uint32_t VkptRenderer::cdq_bits_of(bool guided_rays) const {
     // Adding up what rays brought takes subgroup operations that a device may lack.
-    if (cvars()->pt_guide != cvar_choice("pt_guide", "cdq") || !device_.features().subgroup_sums)
-        return 0;
+    if (!guided_rays || !device_.features().subgroup_sums) return 0;
     return 32 * (static_cast<uint32_t>(cvars()->pt_cdq_bits) + 1);
-}
-
-bool VkptRenderer::guided() const {
-    return technique_->uses_guiding() || cdq_bits() > 0;
-}
-
-void VkptRenderer::update_guiding(gpu::FrameCommands& commands, size_t slot) {
-    if (!guided()) return;
-    Guiding::Options options = Guiding::options(path_tracer_.size(), frame_number_ - first_frame_);
-    options.cdq_bits = cdq_bits();
-    options.settings.even_density =
-        shader::cdq_even_density(options.cdq_bits, cvars()->pt_cdq_brdf);
-    options.lights = technique_->uses_guiding();
-    guiding_.prepare(options);
-    guiding_.record(commands, slot);
 }
 
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
@@ -185,7 +254,9 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     relevant.cvars.pt_exposure = relevant.cvars.pt_exposure_bias = 0.0f;
     relevant.cvars.pt_tonemap = relevant.cvars.pt_view = 0;
     const uint64_t settings[] = {scene_->revision(),
-                                 static_cast<uint64_t>(technique_id_),
+                                 static_cast<uint64_t>(left_.id()),
+                                 static_cast<uint64_t>(cvars()->pt_compare),
+                                 static_cast<uint64_t>(split_column()),
                                  static_cast<uint64_t>(cvars()->pt_jitter),
                                  static_cast<uint64_t>(cvars()->pt_accumulate),
                                  static_cast<uint64_t>(cvars()->pt_spp),
@@ -207,26 +278,21 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     commands.begin();
     if (scene_) {
         // Bring scene and technique to this frame.
-        select_technique(static_cast<Technique>(cvars()->pt_nee));
+        select_sides();
         follow_trace_setting();
         follow_guide_setting();
         rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
         rebind_ |= prepare_ray_query();
-        rebind_ |= technique_->prepare({scene_->lights(), frame.view.origin});
+        prepare_sides(frame);
         shader::FrameParams params = frame_params(frame);
         update_accumulation(params);
-        if (rebind_) {
-            device_.wait_idle();
-            path_tracer_.bind(*scene_, *technique_);
-            rebind_ = false;
-        }
         {
             const PassScope scope(device_, commands, Pass::Upload);
             scene_->upload(commands);
-            technique_->upload(commands);
+            left_.technique()->upload(commands);
+            if (right_) right_->technique()->upload(commands);
         }
-        technique_->adapt(commands);
-        update_guiding(commands, slot);
+        update_sides(commands, slot);
 
         // Trace and finish the picture.
         const bool accumulating = cvars()->pt_accumulate != 0;
@@ -235,32 +301,30 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         params.view_accumulated = view_accumulated_;
         params.jitter =
             cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
-        params.samples_lights = technique_->samples_lights() && scene_->features().lights ? 1u : 0u;
-        params.guided = guided() ? 1u : 0u;
-        const PathTracerVariant variant{technique_id_, scene_->features(), use_ray_query(),
-                                        cdq_bits()};
-        path_tracer_.record(commands, variant, params, static_cast<uint32_t>(cvars()->pt_spp),
-                            technique_->samples_lights(), guiding_.set());
-        legend_.record(commands, path_tracer_.display(),
-                       {cvars()->pt_view, technique_id_, params.samples_lights != 0,
-                        params.guided != 0, path_tracer_.size(), technique_->uses_guiding(),
-                        variant.cdq_bits > 0});
+        const std::vector<PictureSide> sides = picture_sides();
+        path_tracer_.record(commands, sides, params, static_cast<uint32_t>(cvars()->pt_spp));
+        record_texts(commands, sides);
         ++accumulated_;
         const bool maps_directions = params.cvars.pt_view == shader::VIEW_CDQ;
         view_accumulated_ = maps_directions ? view_accumulated_ + 1 : 0;
-        shown_.guided = params.guided != 0;
-        shown_.bucket_size = static_cast<uint32_t>(params.cvars.pt_vlc_bucket);
-        shown_.cdq_bits = variant.cdq_bits;
-        shown_.dynamic_lights =
-            static_cast<size_t>(std::ranges::count_if(frame.dynamic_lights,
-                                                      [](const refresh::DynamicLight& light) {
-                                                          return light.radius > 0.0f;
-                                                      }) +
-                                std::ranges::count_if(frame.beams, is_visible));
+        remember_shown(frame, sides);
     }
     present(commands, frame);
-    slot_frames_[slot] = {frame_number_, shown_.guided};
+    slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right};
     return frame_number_++;
+}
+
+void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides) {
+    shown_.right =
+        sides.size() > 1 && shader::crosshair_pixel(path_tracer_.size()).x >= sides[1].first_column;
+    const PictureSide& side = sides[shown_.right ? 1 : 0];
+    shown_.guided = side.guided;
+    shown_.bucket_size = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
+    shown_.cdq_bits = side.variant.cdq_bits;
+    const auto visible = [](const refresh::DynamicLight& light) { return light.radius > 0.0f; };
+    shown_.dynamic_lights =
+        static_cast<size_t>(std::ranges::count_if(frame.dynamic_lights, visible) +
+                            std::ranges::count_if(frame.beams, is_visible));
 }
 
 void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& frame) {
@@ -349,7 +413,8 @@ void VkptRenderer::finish_slot(size_t slot) {
                 {std::string(pass_names[pass]), milliseconds, pass_groups[pass]});
     }
     if (slot_frames_[slot].guided) {
-        guiding_work_ = guiding_.statistics(slot);
+        guiding_work_ =
+            (slot_frames_[slot].right && right_ ? *right_ : left_).guiding().statistics(slot);
         for (const GuidingCount& count : guiding_counts(guiding_work_))
             times.counts.push_back({std::string(count.name), count.value});
     }
@@ -384,6 +449,9 @@ std::string VkptRenderer::describe_scene() const {
     text += fmt::format("\n  light sampling  {}: {}",
                         technique_infos[static_cast<size_t>(cvars()->pt_nee)].name,
                         technique_infos[static_cast<size_t>(cvars()->pt_nee)].help);
+    if (right_)
+        text += fmt::format("\n  compared with   {}",
+                            choice_name(compare_choices, cvars()->pt_compare));
     text += fmt::format("\n  guiding         {}", guiding_line());
     if (const uint32_t count = nonfinite_count(); count > 0)
         text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",

@@ -5,11 +5,12 @@
 
 #include "refresh/refresh.h"
 #include "refresh/vkpt/debug/legend.h"
+#include "refresh/vkpt/debug/side_labels.h"
 #include "refresh/vkpt/gpu/swapchain.h"
-#include "refresh/vkpt/guiding/guiding.h"
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/overlay.h"
 #include "refresh/vkpt/pathtracer.h"
+#include "refresh/vkpt/side.h"
 
 #include <array>
 #include <deque>
@@ -41,13 +42,19 @@ public:
     const gpu::Device& device() const { return device_; }
     PathTracer& path_tracer() { return path_tracer_; }
     Scene* scene() { return scene_.get(); }
-    LightTechnique* technique() { return technique_.get(); }
-    Guiding& guiding() { return guiding_; }
-    /// Size of the quadtrees that guide indirect rays; 0: none do.
+    // Of the picture, or, while pt_compare splits it, of its left side.
+    LightTechnique* technique() { return left_.technique(); }
+    Guiding& guiding() { return left_.guiding(); }
+    /// Size of the quadtrees that pt_guide asks for; 0: none.
     uint32_t cdq_bits() const;
     /// Whether the octree is kept: for the technique, or for the quadtrees.
-    bool guided() const;
-    const Legend& legend() const { return legend_; }
+    bool guided() const { return left_.technique()->uses_guiding() || cdq_bits() > 0; }
+    const Legend& legend() const { return legends_[0]; }
+    /// The right side while pt_compare splits the picture, else null.
+    Side* right_side() { return right_ ? &*right_ : nullptr; }
+    const SideLabels& side_labels() const { return side_labels_; }
+    /// Where the right side begins; the picture's width while there is none.
+    uint32_t split_column() const;
     /// Frames in the running mean of pt_view's map of directions.
     uint32_t view_accumulated() const { return view_accumulated_; }
     /// Radiance values so far that were not finite.
@@ -58,8 +65,14 @@ private:
 
     glm::uvec2 picture_size() const;
     void resize(glm::uvec2 size);
-    void select_technique(Technique technique);
-    void update_guiding(gpu::FrameCommands& commands, size_t slot);
+    uint32_t cdq_bits_of(bool guided_rays) const;
+    void select_sides();
+    void reset_side(Side& side);
+    void prepare_sides(const refresh::Frame& frame);
+    void update_sides(gpu::FrameCommands& commands, size_t slot);
+    std::vector<PictureSide> picture_sides() const;
+    void record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides);
+    void remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides);
     bool use_ray_query() const;
     void follow_trace_setting();
     void follow_guide_setting();
@@ -67,6 +80,8 @@ private:
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
     void finish_slot(size_t slot);
+    /// The side that texts about the crosshair are about.
+    const Side& shown_side() const { return shown_.right && right_ ? *right_ : left_; }
     std::optional<shader::PrimaryHit> hit_under_crosshair() const;
     std::string guiding_off_text() const; // empty if it was on in the last frame
     std::string guiding_line() const;     // of `scene`
@@ -77,18 +92,18 @@ private:
     gpu::Device device_;
     gpu::PipelineCache pipeline_cache_;
     std::array<gpu::FrameCommands, frames_in_flight> frames_;
-    Guiding guiding_;
+    Side left_; // the only one while there is no right one
+    std::optional<Side> right_;
     PathTracer path_tracer_;
     std::optional<gpu::Swapchain> swapchain_;
     std::optional<Overlay> overlay_;
     gpu::Image picture_;
-    Legend legend_;
+    std::array<Legend, PathTracer::most_sides> legends_;
+    SideLabels side_labels_;
 
     std::shared_ptr<const Level> level_;
     std::unique_ptr<LightLister> lister_;
     std::unique_ptr<Scene> scene_;
-    std::unique_ptr<LightTechnique> technique_;
-    Technique technique_id_ = Technique::sll;
     bool rebind_ = true;
     int trace_setting_ = -1;        // pt_trace as it was followed last
     int guide_setting_ = -1;        // pt_guide, the same
@@ -101,16 +116,19 @@ private:
     std::vector<std::byte> accumulation_key_; // what both depend on
     /// What the last frame showed, for texts about it.
     struct Shown {
+        bool right = false; // the crosshair looked at the right side
         bool guided = false;
         uint32_t bucket_size = 0;
         uint32_t cdq_bits = 0;     // 0: no quadtrees
         size_t dynamic_lights = 0; // the last instances of the scene
     };
     Shown shown_;
-    /// Which frame a slot of frames_ rendered last, and whether guiding passes ran in it.
+    /// Which frame a slot of frames_ rendered last, whether the octree of the side under the
+    /// crosshair was kept in it, and which side that was.
     struct SlotFrame {
         uint64_t number = 0;
         bool guided = false;
+        bool right = false;
     };
     std::array<SlotFrame, frames_in_flight> slot_frames_{};
     shader::GuidingWork guiding_work_{}; // of the last frame that was finished with guiding

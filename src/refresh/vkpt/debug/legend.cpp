@@ -295,6 +295,18 @@ LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height) 
     return pixels;
 }
 
+void record_pixels(gpu::FrameCommands& commands, const gpu::Buffer& display,
+                   glm::uvec2 picture_size, glm::uvec2 corner, const LegendPixels& pixels) {
+    gpu::full_barrier(commands.commands());
+    for (uint32_t row = 0; row < pixels.height; ++row) {
+        const uint64_t first = uint64_t{corner.y + row} * picture_size.x + corner.x;
+        const std::span<const uint32_t> words(&pixels.rgba[size_t{row} * pixels.width],
+                                              pixels.width);
+        commands.upload(display, first * sizeof(uint32_t), gpu::bytes_of(words));
+    }
+    gpu::full_barrier(commands.commands());
+}
+
 void Legend::record(gpu::FrameCommands& commands, const gpu::Buffer& display,
                     const LegendSubject& subject) {
     if (subject != subject_) {
@@ -303,20 +315,13 @@ void Legend::record(gpu::FrameCommands& commands, const gpu::Buffer& display,
         pixels_ =
             content.title.empty() ? LegendPixels{} : draw_legend(content, subject.picture_size.y);
         const glm::uvec2 size(pixels_.width, pixels_.height);
-        const bool fits = glm::all(glm::lessThanEqual(size, subject.picture_size));
+        const glm::uvec2 room(subject.end_column - subject.first_column, subject.picture_size.y);
         area_ = {};
-        if (fits) area_ = {{0, subject.picture_size.y - size.y}, size};
+        if (glm::all(glm::lessThanEqual(size, room)))
+            area_ = {{subject.first_column, subject.picture_size.y - size.y}, size};
     }
     if (area_.size.y == 0) return;
-    gpu::full_barrier(commands.commands());
-    for (uint32_t row = 0; row < area_.size.y; ++row) {
-        const uint64_t first =
-            uint64_t{area_.corner.y + row} * subject.picture_size.x + area_.corner.x;
-        const std::span<const uint32_t> words(&pixels_.rgba[size_t{row} * pixels_.width],
-                                              pixels_.width);
-        commands.upload(display, first * sizeof(uint32_t), gpu::bytes_of(words));
-    }
-    gpu::full_barrier(commands.commands());
+    record_pixels(commands, display, subject.picture_size, area_.corner, pixels_);
 }
 
 } // namespace vigil::vkpt

@@ -22,8 +22,10 @@ struct LegendSubject {
     bool samples_lights = false; // as in FrameParams
     bool guided = false;
     glm::uvec2 picture_size{0, 0};
-    bool caches = false;    // the technique draws from light caches, and explores
-    bool quadtrees = false; // they guide rays
+    bool caches = false;       // the technique draws from light caches, and explores
+    bool quadtrees = false;    // they guide rays
+    uint32_t first_column = 0; // of the side of the picture that it is about, and the one after
+    uint32_t end_column = 0;   // its last: where there is room for it
     bool operator==(const LegendSubject&) const = default;
 };
 
@@ -57,7 +59,12 @@ struct LegendPixels {
 /// Letters are 13 pixels high, doubled or tripled in tall pictures.
 LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height);
 
-/// The legend over the lower left corner of a display buffer.
+/// Records the copy of pixels into a display buffer (rows of picture_size.x words), with the
+/// barriers it needs after the pass before and before what follows. They must lie inside.
+void record_pixels(gpu::FrameCommands& commands, const gpu::Buffer& display,
+                   glm::uvec2 picture_size, glm::uvec2 corner, const LegendPixels& pixels);
+
+/// The legend over the lower left corner of a side of a display buffer.
 class Legend {
 public:
     /// Where it lies in the picture; of size 0 where there is none: the view needs none, or the
@@ -67,8 +74,8 @@ public:
         glm::uvec2 size{0, 0};
     };
 
-    /// Records the copy into `display` (rows of picture_size.x words), with the barriers it needs
-    /// after the pass before and before what follows. Draws anew only when the subject changes.
+    /// Records the copy into `display`, with barriers, into the lower left corner of the side's
+    /// columns. Draws anew only when the subject changes.
     void record(gpu::FrameCommands& commands, const gpu::Buffer& display,
                 const LegendSubject& subject);
     /// As recorded last.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/side.h"
+
+#include "common/cvar.h"
+
+namespace vigil::vkpt {
+
+bool Side::select(Technique technique, const TechniqueContext& context) {
+    if (technique_ && technique == id_) return false;
+    device_.wait_idle();
+    technique_ = make_technique(technique, context);
+    id_ = technique;
+    return true;
+}
+
+void Side::forget(const glm::vec3& corner, float size) {
+    if (technique_) technique_->forget();
+    guiding_.restart(corner, size);
+}
+
+void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, glm::uvec2 picture_size,
+                          uint64_t frame) {
+    if (!guided()) return;
+    Guiding::Options options = Guiding::options(picture_size, frame);
+    options.cdq_bits = cdq_bits_;
+    options.settings.even_density = shader::cdq_even_density(cdq_bits_, cvars()->pt_cdq_brdf);
+    options.lights = technique_->uses_guiding();
+    guiding_.prepare(options);
+    guiding_.record(commands, slot);
+}
+
+} // namespace vigil::vkpt

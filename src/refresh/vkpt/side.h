@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A side of the picture: a technique, whether guided rays go with it, and what both have learned.
+// Without `pt_compare` the picture has one side. With it there are two, and each learns from its
+// own pixels alone, in an octree of its own: nothing that one finds helps the other, and thresholds
+// stay those of the whole picture, so that a leaf that one side sees is as fine, and knows as much,
+// as it would without the other.
+#pragma once
+
+#include "refresh/vkpt/guiding/guiding.h"
+#include "refresh/vkpt/light/technique.h"
+
+#include <memory>
+
+namespace vigil::vkpt {
+
+class Side {
+public:
+    /// `slots` is the number of frames in flight.
+    Side(const gpu::Device& device, const gpu::PipelineCache& cache, size_t slots)
+        : device_(device), guiding_(device, &cache, slots) {}
+
+    /// Makes the technique if another one is asked for; the GPU is idle then. True if it did.
+    bool select(Technique technique, const TechniqueContext& context);
+    /// Size of the quadtrees that guide its rays; 0: none do.
+    void set_cdq_bits(uint32_t bits) { cdq_bits_ = bits; }
+    /// Forgets technique and level; the GPU must be idle.
+    void clear() { technique_.reset(); }
+    /// Forgets what frames taught: the octree is that of a cube (Guiding::restart).
+    void forget(const glm::vec3& corner, float size);
+
+    /// Records the passes that bring the octree to a frame of `picture_size`, the level's frame
+    /// number `frame`, if it is of use; after the technique's own adapt().
+    void update_guiding(gpu::FrameCommands& commands, size_t slot, glm::uvec2 picture_size,
+                        uint64_t frame);
+
+    LightTechnique* technique() const { return technique_.get(); } ///< null before a level
+    Technique id() const { return id_; }
+    uint32_t cdq_bits() const { return cdq_bits_; }
+    /// Whether the octree is kept: for the technique, or for the quadtrees.
+    bool guided() const { return technique_->uses_guiding() || cdq_bits_ > 0; }
+    Guiding& guiding() { return guiding_; }
+    const Guiding& guiding() const { return guiding_; }
+
+private:
+    const gpu::Device& device_;
+    Guiding guiding_;
+    std::unique_ptr<LightTechnique> technique_;
+    Technique id_ = Technique::sll;
+    uint32_t cdq_bits_ = 0;
+};
+
+} // namespace vigil::vkpt

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The menu by its keys: pages, values, keys of actions; and the lines of scr_stats.
+#include "client/client.h"
+#include "client/menu_items.h"
+#include "common/builtin_commands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vigil::client {
+namespace {
+
+using platform::Key;
+
+class MenuTest : public testing::Test {
+protected:
+    MenuTest() {
+        for (const char* name : {"map", "demomap", "quit", "togglemenu", "pt_preset", "resolution"})
+            commands_.add(name, "", [this, name](CommandArguments arguments) {
+                std::string line = name;
+                for (const std::string& word : arguments)
+                    line += " " + word;
+                ran_.push_back(line);
+            });
+        menu_.open();
+    }
+
+    void press(Key key, int times = 1) {
+        for (int i = 0; i < times; ++i)
+            menu_.key(key, false);
+    }
+    void choose(std::string_view label) {
+        press(Key::Home);
+        for (size_t i = 0; i < menu_.rows().size() && chosen().label != label; ++i)
+            press(Key::Down);
+        ASSERT_EQ(chosen().label, label);
+    }
+    MenuRow chosen() const { return menu_.rows().at(menu_.chosen()); }
+
+    CvarRegistry variables_;
+    CommandRegistry commands_{variables_};
+    KeyBindings bindings_;
+    std::vector<std::string> ran_;
+    Menu menu_{{commands_, bindings_,
+                [] {
+                    return std::vector<std::string>{"one", "two words", "three"};
+                },
+                [] { return std::vector<std::string>(); }, [] { return glm::ivec2(640, 360); }}};
+};
+
+TEST_F(MenuTest, EveryItemIsOfAVariableOrCommandThatExists) {
+    Console console(commands_);
+    for (const MenuItem& item : menu_items()) {
+        EXPECT_FALSE(item.label.empty());
+        if (item.kind == MenuItemKind::Variable) {
+            EXPECT_NE(find_cvar(item.target), nullptr) << item.target;
+        }
+    }
+    for (const MenuRow& row : menu_.rows())
+        EXPECT_FALSE(row.about.empty()) << row.label;
+    // Every action that a default key has by its own command.
+    for (const MenuAction& action : menu_actions()) {
+        bool bound = false;
+        for (int i = 0; i < platform::key_count; ++i)
+            bound |= bindings_.command(static_cast<Key>(i)) == action.command;
+        EXPECT_TRUE(bound || action.command == "noclip" || action.command == "togglemenu")
+            << action.command;
+    }
+}
+
+TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
+    choose("Lights chosen by");
+    EXPECT_EQ(chosen().value, "vlc");
+    press(Key::Left);
+    EXPECT_EQ(variables_.get_text("pt_nee"), "lh");
+    press(Key::PadLeft, 2);
+    EXPECT_EQ(variables_.get_text("pt_nee"), "brute"); // the last
+    press(Key::Enter);                                 // forward, as the right arrow
+    EXPECT_EQ(variables_.get_text("pt_nee"), "sll");
+    EXPECT_EQ(chosen().about, technique_infos[0].help);
+
+    choose("Paths per pixel");
+    press(Key::Left);
+    EXPECT_EQ(variables_->pt_spp, 1);
+    press(Key::Right, 3);
+    EXPECT_EQ(variables_->pt_spp, 8);
+
+    choose("Statistics");
+    EXPECT_EQ(chosen().value, "off");
+    press(Key::PadA);
+    EXPECT_EQ(chosen().value, "on");
+    EXPECT_EQ(variables_->scr_stats, 1);
+
+    choose("Compare with");
+    press(Key::Right, 2);
+    EXPECT_EQ(chosen().value, "sll+cdq");
+
+    choose("Mouse speed");
+    press(Key::Right);
+    EXPECT_EQ(variables_->sensitivity, 3.5f);
+    EXPECT_TRUE(menu_.is_open());
+}
+
+TEST_F(MenuTest, StepsThroughPresetsAndResolutions) {
+    choose("Quality");
+    EXPECT_EQ(chosen().value, "balanced");
+    press(Key::Right);
+    choose("Resolution");
+    EXPECT_EQ(chosen().value, "640 x 360");
+    press(Key::Right);
+    press(Key::Left);
+    EXPECT_EQ(ran_, (std::vector<std::string>{"pt_preset accurate", "resolution 854 480",
+                                              "resolution 480 270"}));
+    EXPECT_EQ(next_menu_size({320, 180}, -1), glm::ivec2(320, 180));
+    EXPECT_EQ(next_menu_size({1000, 700}, 1), glm::ivec2(1280, 720));
+    EXPECT_EQ(next_menu_size({3840, 2160}, 1), glm::ivec2(3840, 2160));
+    choose("Quality"); // of one's own
+    variables_.set("pt_spp", "3");
+    EXPECT_EQ(chosen().value, "own");
+    press(Key::Left);
+    EXPECT_EQ(ran_.back(), "pt_preset accurate");
+}
+
+TEST_F(MenuTest, LevelsAreLoadedAndDemosMayBeMissing) {
+    choose("Levels");
+    press(Key::Enter);
+    EXPECT_EQ(menu_.title(), "Levels");
+    press(Key::Down);
+    press(Key::Enter);
+    EXPECT_EQ(ran_, std::vector<std::string>{"map two words"}); // one word, in quotes
+    EXPECT_FALSE(menu_.is_open());
+
+    menu_.open();
+    choose("Demos");
+    press(Key::Enter);
+    EXPECT_TRUE(menu_.rows().empty());
+    press(Key::Down);
+    press(Key::Enter);
+    press(Key::End);
+    EXPECT_TRUE(menu_.is_open());
+    press(Key::PadB);
+    EXPECT_EQ(menu_.title(), "Vigil");
+    EXPECT_EQ(chosen().label, "Demos"); // where one was
+    press(Key::Escape);
+    EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(MenuTest, CommandsRunAfterItHasClosed) {
+    choose("Quit");
+    press(Key::Space);
+    EXPECT_EQ(ran_, std::vector<std::string>{"quit"});
+    EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(MenuTest, KeysAreGivenAndTaken) {
+    choose("Keys");
+    press(Key::Enter);
+    choose("Jump, up");
+    EXPECT_EQ(chosen().value, "e, SPACE, PAD_A");
+    press(Key::Enter);
+    EXPECT_TRUE(menu_.wants_key());
+    menu_.key(Key::Enter, true); // still held
+    EXPECT_TRUE(menu_.wants_key());
+    press(Key::Down); // any key, also one that the menu uses
+    EXPECT_FALSE(menu_.wants_key());
+    EXPECT_EQ(bindings_.command(Key::Down), "+moveup");
+    press(Key::Enter);
+    press(Key::Escape);
+    EXPECT_FALSE(menu_.wants_key());
+    EXPECT_EQ(bindings_.command(Key::Escape), "");
+    press(Key::Backspace);
+    EXPECT_EQ(chosen().value, "");
+    EXPECT_EQ(bindings_.command(Key::Space), "");
+    EXPECT_EQ(bindings_.command(Key::W), "+forward");
+    // The configuration keeps it.
+    EXPECT_NE(bindings_.archive_text().find("unbind SPACE"), std::string::npos);
+}
+
+TEST_F(MenuTest, TheMousePointsAndClicks) {
+    const auto row_of = [&](std::string_view label) {
+        const std::vector<MenuRow> rows = menu_.rows();
+        return static_cast<size_t>(std::ranges::find(rows, label, &MenuRow::label) - rows.begin());
+    };
+    const size_t guide = row_of("Rays guided by");
+    menu_.set_places({{guide, {10, 10}, {110, 30}}, {guide + 1, {10, 30}, {110, 50}}});
+    menu_.point({50, 20});
+    EXPECT_EQ(menu_.chosen(), guide);
+    press(Key::Mouse1);
+    EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
+    menu_.point({500, 20}); // beside it
+    EXPECT_EQ(menu_.chosen(), guide);
+    press(Key::Mouse1);
+    EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
+    menu_.point({50, 30});
+    EXPECT_EQ(menu_.chosen(), guide + 1);
+    press(Key::Mouse2);
+    EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(MenuTest, TheChoiceGoesRound) {
+    press(Key::Up);
+    EXPECT_EQ(menu_.chosen(), menu_.rows().size() - 1);
+    press(Key::WheelDown);
+    EXPECT_EQ(menu_.chosen(), 0u);
+    press(Key::PageDown, 5);
+    EXPECT_EQ(menu_.chosen(), menu_.rows().size() - 1);
+}
+
+refresh::FrameTimes times_of(double tracing, double preparation, double other) {
+    return {0,
+            {{"primary", tracing / 2, refresh::PassGroup::PathTracing},
+             {"direct", tracing / 2, refresh::PassGroup::PathTracing},
+             {"cdq_adapt", preparation, refresh::PassGroup::Preparation},
+             {"tonemap", other, refresh::PassGroup::Other}},
+            {}};
+}
+
+TEST(RecentTimes, AreMeansOfGroupsOverTheLastFrames) {
+    RecentTimes recent;
+    EXPECT_EQ(recent.means().sum(), 0.0);
+    recent.add_frame({0, {}, {}}); // a device without timestamps
+    EXPECT_TRUE(recent.empty());
+    for (int i = 0; i < 10; ++i)
+        recent.add_frame(times_of(1000, 1000, 1000)); // long ago
+    for (size_t i = 0; i < RecentTimes::most_frames; ++i)
+        recent.add_frame(i % 2 == 0 ? times_of(10, 2, 1) : times_of(20, 4, 3));
+    EXPECT_DOUBLE_EQ(recent.means().path_tracing, 15.0);
+    EXPECT_DOUBLE_EQ(recent.means().preparation, 3.0);
+    EXPECT_DOUBLE_EQ(recent.means().other, 2.0);
+    EXPECT_DOUBLE_EQ(recent.means().sum(), 20.0);
+}
+
+TEST(ScreenStats, SaysWhatAPlayerWantsToKnowTwiceASecond) {
+    CvarRegistry variables;
+    RecentTimes recent;
+    recent.add_frame(times_of(10, 2, 1));
+    ScreenStats stats;
+    EXPECT_TRUE(stats.lines().empty());
+    stats.add_frame(0.020, recent, variables, {640, 360});
+    ASSERT_EQ(stats.lines().size(), 6u);
+    EXPECT_EQ(stats.lines()[0], "20.0 ms  50.0 fps");
+    EXPECT_EQ(stats.lines()[1], "path tracing   10.0 ms");
+    EXPECT_EQ(stats.lines()[4], "vlc+cdq");
+    EXPECT_EQ(stats.lines()[5], "640 x 360, 1 path per pixel");
+    variables.set("pt_compare", "sll");
+    variables.set("pt_spp", "4");
+    for (int i = 0; i < 12; ++i) // 0.48 s: not yet
+        stats.add_frame(0.040, recent, variables, {1280, 720});
+    EXPECT_EQ(stats.lines()[4], "vlc+cdq");
+    stats.add_frame(0.040, recent, variables, {1280, 720});
+    EXPECT_EQ(stats.lines()[0], "40.0 ms  25.0 fps");
+    EXPECT_EQ(stats.lines()[4], "vlc+cdq | sll");
+    EXPECT_EQ(stats.lines()[5], "1280 x 720, 4 paths per pixel");
+}
+
+} // namespace
+} // namespace vigil::client
