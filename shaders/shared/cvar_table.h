@@ -51,6 +51,10 @@
         "most frames per second that the program tries to show; timedemo ignores it") \
     REAL(con_notify, Archived, 3.0, 0.0, 60.0, \
         "seconds that a new line of the console stays over the picture") \
+    INTEGER(testlights, Session, 0, 0, 1024, \
+        "N above 0: N coloured lights wander through the level, around its start") \
+    REAL(testlights_speed, Session, 1.0, 0.0, 100.0, \
+        "how fast they are: 1 is 100 map units per second, 0 stands still") \
     INTEGER(timedemo, Session, 0, 0, 1000, \
         "N above 0: demomap renders every frame of a demo once, as fast as it can, N times, and prints frame rate and GPU times") \
     STRING(timedemo_json, GuardedSession, "", \

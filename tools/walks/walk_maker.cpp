@@ -5,6 +5,7 @@
 #include "common/ascii_case.h"
 #include "walks/walk_report.h"
 #include "world/actors/door.h"
+#include "world/view_axes.h"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
@@ -29,6 +30,24 @@ bool is_class(const Actor& actor, std::initializer_list<std::string_view> names)
     return std::ranges::any_of(names, [&actor](std::string_view name) {
         return equal_nocase(actor.keys().classname(), name);
     });
+}
+
+bool is_shot_open(const Actor& actor) {
+    if (is_class(actor, {"func_door_secret"}))
+        return actor.targetname().empty() || actor.has_flag(1);
+    return is_class(actor, {"func_button", "func_door", "func_door_rotating"}) &&
+           actor.keys().get_float("health") > 0.0f;
+}
+
+/// Yaw and pitch from one point to another.
+glm::vec3 angles_to(const glm::vec3& from, const glm::vec3& to) {
+    const glm::vec3 way = to - from;
+    return {-glm::degrees(std::atan2(way.z, glm::length(glm::vec2(way)))),
+            glm::degrees(std::atan2(way.y, way.x)), 0.0f};
+}
+
+glm::vec3 eye_of(const PlayerState& state) {
+    return state.origin + glm::vec3(0.0f, 0.0f, state.eye_height());
 }
 
 float heading_to(const glm::vec3& from, const glm::vec3& to) {
@@ -128,14 +147,18 @@ std::vector<WalkMaker::Goal> WalkMaker::goals(const Reach& reach) const {
         const bool volume =
             actor->volume() && is_class(*actor, {"trigger_teleport", "misc_teleporter",
                                                  "trigger_once", "trigger_multiple"});
-        if (!button && !lift && !volume) continue;
+        // Doors lead on only while they are closed.
+        const bool target = mover != nullptr && mover->shown() && is_shot_open(*actor);
+        if (!button && !lift && !volume && !target) continue;
         if (volume && is_class(*actor, {"trigger_once", "trigger_multiple"}) &&
             !actor->keys().has("target") && !actor->keys().has("killtarget"))
             continue;
         for (size_t i = 1; i < reach.places().size(); ++i) {
             const PlayerState& state = reach.places()[i].state;
             bool there = false;
-            if (button) {
+            if (target) {
+                there = can_shoot(state, *mover);
+            } else if (button) {
                 constexpr float arm = 44.0f;
                 const Box box = game_.collision().bounds(mover->obstacle());
                 there = distance_to(box, state.origin) < arm &&
@@ -149,7 +172,7 @@ std::vector<WalkMaker::Goal> WalkMaker::goals(const Reach& reach) const {
                 there = boxes_touch(*actor->volume(), player_bounds(state));
             }
             if (!there) continue;
-            found.push_back({static_cast<int>(i), actor->number(), button, lift,
+            found.push_back({static_cast<int>(i), actor->number(), button, target, lift,
                              std::string(actor->keys().classname())});
             break; // places come in the order of their distance
         }
@@ -160,7 +183,7 @@ std::vector<WalkMaker::Goal> WalkMaker::goals(const Reach& reach) const {
 
 WalkMaker::Goal WalkMaker::farthest(const Reach& reach) const {
     Goal best;
-    float most = 0.0f;
+    float most = 150.0f; // nearer is nothing new
     for (size_t i = 1; i < reach.places().size(); ++i) {
         const Place& place = reach.places()[i];
         if (place.ends || place.state.water_level > 1) continue;
@@ -349,6 +372,35 @@ void WalkMaker::press(int number) {
     done_.insert(number);
 }
 
+bool WalkMaker::can_shoot(const PlayerState& state, const Mover& target) const {
+    constexpr float far = 700.0f, near = 48.0f;
+    const Box box = game_.collision().bounds(target.obstacle());
+    const glm::vec3 middle = 0.5f * (box.mins + box.maxs), eye = eye_of(state);
+    const float distance = glm::distance(middle, eye);
+    if (distance > far || distance < near || state.water_level > 0) return false;
+    return game_.collision().trace(eye, middle, {}, mask_shot).owner == target.number();
+}
+
+void WalkMaker::shoot(int number) {
+    const auto& mover = dynamic_cast<const Mover&>(*game_.actor(number));
+    const Box box = game_.collision().bounds(mover.obstacle());
+    const glm::vec3 middle = 0.5f * (box.mins + box.maxs);
+    PlayerCommand command;
+    // Bolts start beside the eye: aim from there.
+    command.angles = angles_to(eye_of(game_.player()), middle);
+    const ViewAxes axes = view_axes(command.angles);
+    const glm::vec3 hand = 24.0f * axes.forward + 8.0f * axes.right - 8.0f * axes.up;
+    command.angles = angles_to(eye_of(game_.player()) + hand, middle);
+    command.angles.x = rounded(command.angles.x, 2.0f);
+    command.angles.y = view_ = rounded(command.angles.y, 2.0f);
+    const glm::vec3 before = mover.place().origin;
+    for (int i = 0; i < 100 && mover.place().origin == before; ++i) {
+        command.attack = i >= 20 && i < 24;
+        tick(command);
+    }
+    done_.insert(number);
+}
+
 void WalkMaker::ride() {
     // Until what one stands on has come to rest again.
     for (int i = 0; i < 8 * player::ticks_per_second / 10; ++i) {
@@ -360,14 +412,21 @@ void WalkMaker::ride() {
 
 client::Walk WalkMaker::make() {
     rest(30);
+    int waits = 0;
     for (int leg = 0; leg < options_.legs && !over(); ++leg) {
+        if (game_.player().hold != PlayerState::Hold::None) rest(25); // just arrived
         const CollisionWorld world = open_world();
         const Reach reach(world, game_.player(), longest_leg,
                           [this](const PlayerState& state) { return judge(state); });
         const std::vector<Goal> found = goals(reach);
         const bool see = found.empty() || leg % 3 == 2;
         const Goal goal = see ? farthest(reach) : found.front();
-        if (goal.place <= 0) break;
+        if (goal.place <= 0) {
+            // Between closed doors, or on its way with a lift: it will change.
+            rest(100);
+            if (++waits == 4) break;
+            continue;
+        }
         const bool there = go(reach, goal);
         if (options_.verbose)
             fmt::print("leg {}: {} of {} places: {}{}, now {:.1f} s\n", leg, goal.place,
@@ -375,6 +434,7 @@ client::Walk WalkMaker::make() {
                        static_cast<double>(walk_.ticks()) / player::ticks_per_second);
         if (goal.actor >= 0 && !there) done_.insert(goal.actor); // not again
         if (there && goal.press) press(goal.actor);
+        if (there && goal.shoot) shoot(goal.actor);
         if (there && goal.ride) ride();
         if (!there && goal.actor < 0)
             seen_.push_back(reach.places()[static_cast<size_t>(goal.place)].state.origin);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Makes a walk through a level: plays it, and again and again looks where one can get from here
-// (reach.h), chooses what to do there (press a button, ride a lift, pass a teleporter, see a part
-// of the level that it has not seen), goes there and writes down the keys. Closed doors that open
-// by themselves count as open; before one it waits. Same level, same walk.
+// (reach.h), chooses what to do there (press or shoot a button, ride a lift, pass a teleporter, see
+// a part of the level that it has not seen), goes there and writes down the keys. Closed doors that
+// open by themselves count as open; before one it waits. Same level, same walk.
 #pragma once
 
 #include "client/walk.h"
@@ -40,6 +40,7 @@ private:
         int place = 0;  ///< of the reach
         int actor = -1; ///< number of what is there, -1: a place to see
         bool press = false;
+        bool shoot = false;
         bool ride = false;
         std::string name;
     };
@@ -57,6 +58,9 @@ private:
     Outcome follow(const Plan& plan);
     bool go(const Reach& reach, const Goal& goal);
     void press(int actor);
+    /// Whether a shot from here, aimed at its middle, hits it.
+    bool can_shoot(const PlayerState& state, const Mover& target) const;
+    void shoot(int actor);
     void ride();
     /// No keys until something has opened, at most `ticks`; true if the plan is free then.
     void rest(int ticks);

@@ -256,7 +256,10 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
                                                       [](const refresh::DynamicLight& light) {
                                                           return light.radius > 0.0f;
                                                       }) +
-                                std::ranges::count_if(frame.beams, is_visible));
+                                std::ranges::count_if(frame.beams, is_visible) +
+                                std::ranges::count_if(frame.spots, [](const refresh::Spot& spot) {
+                                    return spot.radius > 0.0f;
+                                }));
     }
     present(commands, frame);
     slot_frames_[slot] = {frame_number_, shown_.guided};

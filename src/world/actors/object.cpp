@@ -14,9 +14,9 @@ namespace {
 
 constexpr uint32_t trigger_spawn = 1;
 constexpr float release_s = 0.2f;
-/// From the drawn bounds, which are a unit wider, to those that it rests by: a unit narrower, so
-/// that it falls through the hole that it fills.
-constexpr float inset = 2.0f;
+/// From the drawn bounds, which are a unit wider, to those that it rests by: a hair narrower than
+/// it is, so that it falls through the hole that it fills.
+constexpr float inset = 1.25f;
 
 class Object : public Mover {
 public:
