@@ -143,7 +143,9 @@ TEST_F(MovingLights, BoltsAndTheirHitsKeepTheirIdsAndGo) {
             seen.insert(id);
             if (id == bolt) continue;
             brightest = std::max(brightest, light.radiance.x);
-            if (last > 0.0f) EXPECT_LE(light.radiance.x, last);
+            if (last > 0.0f) {
+                EXPECT_LE(light.radiance.x, last);
+            }
             last = light.radiance.x;
         }
     }

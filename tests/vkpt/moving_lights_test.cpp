@@ -150,7 +150,9 @@ TEST_F(MovingLights, KeepTheirPlacesInTheListAndLeaveIt) {
             EXPECT_EQ(instance.first_light, known->second) << instance.entity;
             const shader::Light light = lights_of(instance.first_light, 1).front();
             EXPECT_NE(light.radiance, glm::vec3(0.0f)) << instance.entity;
-            if (!fresh) EXPECT_NE(light.v0, last[instance.entity]) << instance.entity;
+            if (!fresh) {
+                EXPECT_NE(light.v0, last[instance.entity]) << instance.entity;
+            }
             last[instance.entity] = light.v0;
         }
     }

@@ -42,8 +42,9 @@ PlayerCommand command_of(const Step& step, int tick) {
 
 bool take_step(PlayerState& state, const Step& step, const CollisionWorld& world,
                std::vector<PlayerCommand>* commands, std::vector<glm::vec3>* places) {
+    const int least = state.water_level >= 2 ? Reach::swim_ticks : Reach::step_ticks;
     for (int tick = 0; tick < Reach::longest_fall_ticks; ++tick) {
-        if (tick >= Reach::step_ticks && rests(state)) return true;
+        if (tick >= least && rests(state)) return true;
         const PlayerCommand command = command_of(step, tick);
         state = move_player(state, command, world);
         if (state.water_level > 0 && (state.water_type & burns) != 0) return false;

@@ -33,7 +33,7 @@ struct Place {
 class Reach {
 public:
     static constexpr float cell = 40.0f;
-    static constexpr int step_ticks = 16;
+    static constexpr int step_ticks = 16, swim_ticks = 36; ///< each more than a cell from rest
     static constexpr int longest_fall_ticks = 160;
 
     /// What a place is for the search.

@@ -39,6 +39,11 @@ bool is_shot_open(const Actor& actor) {
            actor.keys().get_float("health") > 0.0f;
 }
 
+/// One with a name works only for a moment after something has used it.
+bool is_closed_teleport(const Actor& actor) {
+    return is_class(actor, {"trigger_teleport"}) && !actor.targetname().empty();
+}
+
 /// Yaw and pitch from one point to another.
 glm::vec3 angles_to(const glm::vec3& from, const glm::vec3& to) {
     const glm::vec3 way = to - from;
@@ -128,6 +133,7 @@ Reach::Verdict WalkMaker::judge(const PlayerState& state) const {
         const std::optional<Box> volume = actor->volume();
         if (!volume || !boxes_touch(*volume, bounds)) continue;
         if (is_class(*actor, {"trigger_hurt"})) return Reach::Verdict::Forbidden;
+        if (is_closed_teleport(*actor)) continue;
         if (is_class(*actor, {"trigger_teleport", "misc_teleporter", "trigger_push"}))
             return Reach::Verdict::Ends;
     }
@@ -150,6 +156,7 @@ std::vector<WalkMaker::Goal> WalkMaker::goals(const Reach& reach) const {
         // Doors lead on only while they are closed.
         const bool target = mover != nullptr && mover->shown() && is_shot_open(*actor);
         if (!button && !lift && !volume && !target) continue;
+        if (is_closed_teleport(*actor)) continue;
         if (volume && is_class(*actor, {"trigger_once", "trigger_multiple"}) &&
             !actor->keys().has("target") && !actor->keys().has("killtarget"))
             continue;
@@ -412,7 +419,8 @@ void WalkMaker::ride() {
 
 client::Walk WalkMaker::make() {
     rest(30);
-    int waits = 0;
+    int waits = 0;   // in a row
+    int64_t end = 0; // where they began
     for (int leg = 0; leg < options_.legs && !over(); ++leg) {
         if (game_.player().hold != PlayerState::Hold::None) rest(25); // just arrived
         const CollisionWorld world = open_world();
@@ -423,10 +431,12 @@ client::Walk WalkMaker::make() {
         const Goal goal = see ? farthest(reach) : found.front();
         if (goal.place <= 0) {
             // Between closed doors, or on its way with a lift: it will change.
-            rest(100);
             if (++waits == 4) break;
+            if (waits == 1) end = walk_.ticks();
+            rest(100);
             continue;
         }
+        waits = 0;
         const bool there = go(reach, goal);
         if (options_.verbose)
             fmt::print("leg {}: {} of {} places: {}{}, now {:.1f} s\n", leg, goal.place,
@@ -439,8 +449,16 @@ client::Walk WalkMaker::make() {
         if (!there && goal.actor < 0)
             seen_.push_back(reach.places()[static_cast<size_t>(goal.place)].state.origin);
     }
-    rest(20);
-    return std::move(walk_);
+    // Without the wait for what did not change.
+    client::Walk walk;
+    for (int64_t tick = 0; tick < (waits == 4 ? end : walk_.ticks()); ++tick)
+        walk.add(walk_.command_at(tick));
+    constexpr int last_look = 20;
+    PlayerCommand command;
+    command.angles.y = view_;
+    for (int i = 0; i < last_look; ++i)
+        walk.add(command);
+    return walk;
 }
 
 } // namespace vigil::walks
