@@ -36,6 +36,8 @@ int check_walk(const std::filesystem::path& basedir, const std::string& name,
     EXPECT_LT(report.longest_in_solid, 3);
     EXPECT_LT(report.longest_stuck, player::ticks_per_second);
     EXPECT_EQ(report.deaths, 0);
+    // It waits for doors, and no longer than they take.
+    EXPECT_LT(report.longest_rest, 4 * player::ticks_per_second);
     EXPECT_LT(glm::distance(report.end.origin, goal.place), 16.0f);
     EXPECT_EQ(report.doors_opened, goal.doors);
     // Through the level, not around the start.

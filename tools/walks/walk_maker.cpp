@@ -327,6 +327,7 @@ WalkMaker::Outcome WalkMaker::follow(const Plan& plan) {
 
 bool WalkMaker::go(const Reach& first, const Goal& goal) {
     const glm::vec3 there = first.places()[static_cast<size_t>(goal.place)].state.origin;
+    int standstills = 0;
     for (int attempt = 0; attempt < 8; ++attempt) {
         const CollisionWorld world = open_world();
         std::optional<Reach> again;
@@ -357,7 +358,9 @@ bool WalkMaker::go(const Reach& first, const Goal& goal) {
                 rest(10);
         } else if (plan.commands.empty() ||
                    glm::distance(from, game_.player().origin) < near_goal) {
-            rest(30);
+            // The plan led nowhere: once more, and then something else.
+            if (++standstills == 2) return false;
+            rest(10);
         }
         if (over()) return false;
     }
