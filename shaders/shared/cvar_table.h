@@ -60,6 +60,10 @@
         "seconds that a new line of the console stays over the picture") \
     INTEGER(scr_stats, Archived, 0, 0, 1, \
         "1: frame time, times of groups of passes, technique and size stand in the window's corner; never in screenshots") \
+    INTEGER(testlights, Session, 0, 0, 1024, \
+        "N above 0: N coloured lights wander through the level, around its start") \
+    REAL(testlights_speed, Session, 1.0, 0.0, 100.0, \
+        "how fast they are: 1 is 100 map units per second, 0 stands still") \
     INTEGER(timedemo, Session, 0, 0, 1000, \
         "N above 0: demomap renders every frame of a demo once, as fast as it can, N times, and prints frame rate and GPU times") \
     STRING(timedemo_json, GuardedSession, "", \

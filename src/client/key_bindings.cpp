@@ -37,6 +37,7 @@ constexpr std::pair<Key, std::string_view> defaults[] = {
     {Key::PageUp, "+lookup"},
     {Key::PageDown, "+lookdown"},
     {Key::Mouse1, "+attack"},
+    {Key::F, "flashlight"},
     {Key::WheelUp, "flyfaster"},
     {Key::WheelDown, "flyslower"},
     {Key::F1, "toggleconsole"},

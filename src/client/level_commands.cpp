@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about the level and what is in it: map, maps, turn, lightstyle, dlight,
-// dlight_clear, scene, device, passes, quit.
+// flashlight, dlight_clear, scene, device, passes, quit.
 #include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
@@ -93,6 +93,10 @@ void add_level_commands(Client& client) {
                  [&client](CommandArguments arguments) { dlight(client, arguments); });
     commands.add("dlight_clear", ": removes what dlight put there",
                  [&client](CommandArguments) { client.session().clear_dynamic_lights(); });
+    commands.add("flashlight", ": switches the flashlight in your hand on or off",
+                 [&client](CommandArguments) {
+                     with_level(client).set_flashlight(!client.session().flashlight());
+                 });
     commands.add("scene", ": says what the level switched on in the renderer, and why",
                  [&client](CommandArguments) {
                      log_info("{}", with_level(client).renderer().describe_scene());

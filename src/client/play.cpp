@@ -16,11 +16,12 @@ namespace {
 constexpr float run_speed = 400.0f, walk_speed = 150.0f;
 /// A hair, so that frames of 1/60 s and the like sum up to whole ticks.
 constexpr double rounding_s = 1e-6;
-/// Ids of the lights of bolts and of where they hit; those of `dlight` are below.
+/// Ids of the lights of bolts, of where they hit and of explosions; those of `dlight` are below.
 constexpr uint32_t first_bolt_light = 0x40000000, first_hit_light = 0x60000000,
-                   last_hit_light = 0x7fffffff;
+                   first_explosion_light = 0x80000000, last_play_light = 0x9fffffff;
 constexpr uint32_t light_id_mask = 0x1fffffff;
-const EffectLight bolt_light{200.0f, {1.0f, 1.0f, 0.0f}}, hit_light{150.0f, {1.0f, 1.0f, 0.0f}};
+const EffectLight bolt_light{200.0f, {1.0f, 1.0f, 0.0f}}, hit_light{150.0f, {1.0f, 1.0f, 0.0f}},
+    explosion_light{350.0f, {1.0f, 0.5f, 0.5f}};
 
 } // namespace
 
@@ -89,7 +90,7 @@ void Play::show(Session& session) {
     if (walking_) session.camera().set(game_->eye_at(fraction), session.camera().angles());
     show_models(session, fraction);
     show_styles(session);
-    show_bolts(session, fraction);
+    show_lights(session, fraction);
 }
 
 void Play::show_models(Session& session, float fraction) {
@@ -122,8 +123,8 @@ void Play::show_styles(Session& session) {
     session.set_light_styles(std::move(styles));
 }
 
-void Play::show_bolts(Session& session, float fraction) const {
-    session.remove_dynamic_lights(first_bolt_light, last_hit_light);
+void Play::show_lights(Session& session, float fraction) const {
+    session.remove_dynamic_lights(first_bolt_light, last_play_light);
     for (const Bolt& bolt : game_->bolts().flying())
         session.set_dynamic_light(dynamic_light(first_bolt_light + (bolt.id & light_id_mask),
                                                 glm::mix(bolt.before, bolt.now, fraction),
@@ -132,6 +133,10 @@ void Play::show_bolts(Session& session, float fraction) const {
         session.set_dynamic_light(
             dynamic_light(first_hit_light + (hit.id & light_id_mask), hit.place,
                           {hit_light.radius * hit.brightness(), hit_light.color}));
+    for (const Explosion& explosion : game_->explosions().glowing())
+        session.set_dynamic_light(dynamic_light(
+            first_explosion_light + (explosion.id & light_id_mask), explosion.place,
+            {explosion_light.radius * explosion.brightness(), explosion_light.color}));
 }
 
 bool Play::set_walking(bool walking, Session& session) {
@@ -173,7 +178,7 @@ std::optional<Walk> Play::take_recording() {
 }
 
 void Play::clear(Session& session) {
-    session.remove_dynamic_lights(first_bolt_light, last_hit_light);
+    session.remove_dynamic_lights(first_bolt_light, last_play_light);
     session.restore_level();
 }
 

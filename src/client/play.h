@@ -55,7 +55,7 @@ private:
     void show(Session& session);
     void show_models(Session& session, float fraction);
     void show_styles(Session& session);
-    void show_bolts(Session& session, float fraction) const;
+    void show_lights(Session& session, float fraction) const;
 
     std::unique_ptr<Game> game_;
     bool walking_ = true;

@@ -2,6 +2,7 @@
 // Keeping the scene and rendering it.
 #include "client/session.h"
 
+#include "client/flashlight.h"
 #include "common/log.h"
 #include "common/stopwatch.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 /// Variables that a picture depends on; the others (paths, mouse, frame rate) leave it as it is.
 bool shows_in_picture(std::string_view name) {
-    return name.starts_with("pt_") || name == "fov" || name == "vid_width" || name == "vid_height";
+    return name.starts_with("pt_") || name.starts_with("testlights") || name == "fov" ||
+           name == "vid_width" || name == "vid_height";
 }
 
 } // namespace
@@ -35,6 +37,7 @@ void Session::load_map(std::string_view name) {
     entities_ = drawn_entities_;
     styles_ = LightStyles(bsp.entities);
     dynamic_lights_.clear();
+    test_lights_.reset();
     played_.reset();
     const StartPlace start = find_start(bsp);
     camera_.set(start.origin, start.angles);
@@ -90,6 +93,11 @@ void Session::remove_dynamic_lights(uint32_t first, uint32_t last) {
     if (removed > 0) ++scene_changes_;
 }
 
+void Session::set_flashlight(bool on) {
+    flashlight_ = on;
+    ++scene_changes_;
+}
+
 void Session::reset_guiding() {
     renderer_.reset_guiding();
     counts_.clear();
@@ -107,9 +115,13 @@ void Session::advance(double seconds) {
 }
 
 refresh::Frame Session::frame() const {
+    return frame_at(time_s_);
+}
+
+refresh::Frame Session::frame_at(double time_s) const {
     refresh::Frame frame;
     frame.view = {camera_.origin(), camera_.angles(), variables_->fov};
-    frame.time_s = time_s_;
+    frame.time_s = time_s;
     if (played_) {
         frame.view.fov = played_->fov;
         frame.entities = played_->entities;
@@ -120,8 +132,20 @@ refresh::Frame Session::frame() const {
         frame.entities = entities_.entities();
         frame.dynamic_lights = dynamic_lights_;
     }
+    if (variables_->testlights > 0 && level_ != nullptr) {
+        if (!test_lights_) test_lights_.emplace(level_);
+        const double moved_s = static_cast<double>(variables_->testlights_speed) * time_s;
+        frame_lights_ = test_lights_->at(variables_->testlights, moved_s);
+        frame_lights_.insert(frame_lights_.begin(), frame.dynamic_lights.begin(),
+                             frame.dynamic_lights.end());
+        frame.dynamic_lights = frame_lights_;
+    }
+    if (flashlight_) {
+        frame_spot_ = client::flashlight(camera_.origin(), camera_.angles());
+        frame.spots = std::span(&frame_spot_, 1);
+    }
     if (variables_->pt_light_styles != 0) {
-        frame.light_styles = styles_.values_at(time_s_);
+        frame.light_styles = styles_.values_at(time_s);
     } else {
         frame.light_styles.fill(1.0f);
     }

@@ -10,6 +10,7 @@
 #include "client/pass_statistics.h"
 #include "client/played_scene.h"
 #include "client/recent_times.h"
+#include "client/test_lights.h"
 #include "common/cvar.h"
 #include "common/file_system.h"
 #include "refresh/refresh.h"
@@ -51,6 +52,9 @@ public:
     void clear_dynamic_lights();
     /// Removes those whose ids are in [first, last].
     void remove_dynamic_lights(uint32_t first, uint32_t last);
+    /// The flashlight in the hand of the camera.
+    void set_flashlight(bool on);
+    bool flashlight() const { return flashlight_; }
     /// Empties the renderer's octree and light caches.
     void reset_guiding();
 
@@ -66,6 +70,8 @@ public:
 
     /// The frame as it would be rendered now; its spans are valid until the session changes.
     refresh::Frame frame() const;
+    /// The same at another time of the level: light styles and test lights are of then.
+    refresh::Frame frame_at(double time_s) const;
     /// Renders it, with `uncapped` without waiting for the display. Throws Error when the device is
     /// lost.
     void render(ImDrawData* overlay, bool uncapped = false);
@@ -107,6 +113,11 @@ private:
     LightStyles styles_;
     std::vector<refresh::DynamicLight> dynamic_lights_;
     std::optional<PlayedScene> played_;
+    bool flashlight_ = false;
+    // What frame() points to beyond what is above.
+    mutable std::optional<TestLights> test_lights_;
+    mutable std::vector<refresh::DynamicLight> frame_lights_;
+    mutable refresh::Spot frame_spot_;
     Camera camera_;
     double time_s_ = 0.0;
 

@@ -66,6 +66,18 @@ struct Beam {
     glm::vec3 radiance{0.0f};
 };
 
+/// A torch: a square that emits `radiance` from the bottom of an open black tube, whose mouth is at `origin` and looks
+/// along `angles` (as a View's; roll turns it). `radius` is the tube's. Surfaces within 10 degrees of its axis see the
+/// whole square, beyond 30 degrees none of it. A light as any other, that the tube shades. `id` stays the same while
+/// it exists.
+struct Spot {
+    uint32_t id = 0;
+    glm::vec3 origin{0.0f};
+    glm::vec3 angles{0.0f};
+    float radius = 1.5f;
+    glm::vec3 radiance{0.0f};
+};
+
 /// A spark or drop: a small triangle that faces the camera. It shows to the camera with the radiance `color` *
 /// particle_radiance and casts a shadow, but lights nothing: it is too small to matter, and there are many.
 struct Particle {
@@ -86,6 +98,7 @@ struct Frame {
     std::span<const Entity> entities;
     std::span<const DynamicLight> dynamic_lights;
     std::span<const Beam> beams;
+    std::span<const Spot> spots;
     std::span<const Particle> particles;
     std::array<float, light_style_count> light_styles{};
     ImDrawData* overlay = nullptr; // console and menus, drawn over the picture; may be null

@@ -41,16 +41,24 @@ void CollisionWorld::trace_into(const Obstacle& obstacle, const glm::vec3& start
     const glm::vec3 gap(2.0f * trace_gap);
     const Box way{glm::min(start, end) + box.mins - gap, glm::max(start, end) + box.maxs + gap};
     if (!boxes_touch(bounds, way)) return;
+    const float before = trace.fraction;
     trace_tree(bsp_, model.headnode, obstacle.place, start, end, box, mask, obstacle.owner, trace);
+    if (!obstacle.flows && trace.fraction < before) trace.contents &= ~mask_current;
 }
 
 Trace CollisionWorld::trace(const glm::vec3& start, const glm::vec3& end, const Box& box,
                             uint32_t mask) const {
+    return trace_without(obstacles_.size(), start, end, box, mask);
+}
+
+Trace CollisionWorld::trace_without(size_t index, const glm::vec3& start, const glm::vec3& end,
+                                    const Box& box, uint32_t mask) const {
     Trace trace;
     trace_tree(bsp_, bsp_.models.front().headnode, {}, start, end, box, mask, owner_world, trace);
-    for (const Obstacle& obstacle : obstacles_) {
+    for (size_t i = 0; i < obstacles_.size(); ++i) {
         if (trace.all_solid) break;
-        if (obstacle.solid) trace_into(obstacle, start, end, box, mask, trace);
+        if (i != index && obstacles_[i].solid)
+            trace_into(obstacles_[i], start, end, box, mask, trace);
     }
     trace.end = trace.fraction == 1.0f ? end : start + trace.fraction * (end - start);
     return trace;

@@ -16,6 +16,7 @@ struct Obstacle {
     Placement place;
     int owner = owner_none; ///< number of the entity
     bool solid = true;      ///< stops boxes; else it is passed through
+    bool flows = true;      ///< the currents of its brushes carry who stands on it
 };
 
 class CollisionWorld {
@@ -33,6 +34,9 @@ public:
 
     /// Moves a box until it hits the world or a solid obstacle.
     Trace trace(const glm::vec3& start, const glm::vec3& end, const Box& box, uint32_t mask) const;
+    /// The same as if one obstacle were not there.
+    Trace trace_without(size_t index, const glm::vec3& start, const glm::vec3& end, const Box& box,
+                        uint32_t mask) const;
     /// The same against one obstacle alone, solid or not.
     Trace trace_obstacle(size_t index, const glm::vec3& start, const glm::vec3& end, const Box& box,
                          uint32_t mask) const;

@@ -46,7 +46,7 @@ Placement MovedModel::at(float fraction) const {
 }
 
 Game::Game(std::shared_ptr<const Level> level, const glm::vec3& start)
-    : level_(std::move(level)), collision_(level_->bsp), area_portals_(level_->bsp) {
+    : level_(std::move(level)), collision_(level_->bsp), area_portals_(level_->bsp), start_(start) {
     spawn();
     player_ = player_before_ = place_player(start, collision_);
 }
@@ -164,6 +164,7 @@ void Game::tick(const PlayerCommand& command, bool level_stands) {
         before_[i] = movers_[i]->place();
     if (!level_stands) {
         ++ticks_;
+        explosions_.tick();
         run_delayed();
         for (const auto& actor : actors_) {
             if (!actor->removed() && actor->thinks_at(ticks_)) actor->think();
@@ -193,6 +194,34 @@ void Game::touch_volumes() {
         const std::optional<Box> volume = actor->volume();
         if (volume && boxes_touch(*volume, player_bounds)) actor->touch();
     }
+}
+
+void Game::set_portals_of(const Entity& door, bool open) {
+    const std::string target = door.get_string("target");
+    if (target.empty()) return;
+    for (const Entity& entity : bsp().entities)
+        if (equal_nocase(entity.classname(), "func_areaportal") &&
+            entity.get_string("targetname") == target)
+            area_portals_.set_open(static_cast<uint32_t>(entity.get_int("style")), open);
+}
+
+void Game::hurt_player(float damage) {
+    if (!player_present_) return;
+    health_ = std::min(full_health, health_ - damage);
+    if (health_ > 0.0f) return;
+    health_ = full_health;
+    ++deaths_;
+    log_info("you died; back to the start");
+    player_ = place_player(start_, collision_);
+    place_player_at(player_.origin);
+}
+
+void Game::explode(const glm::vec3& place, float damage) {
+    explosions_.add(place);
+    const float left = damage - 0.5f * glm::distance(place, player_.origin);
+    if (left <= 0.0f || !player_present_) return;
+    if (!collision_.trace(place, player_.origin, {}, mask_shot & ~CONTENTS_MONSTER).hit())
+        hurt_player(left);
 }
 
 void Game::place_player_at(const glm::vec3& origin) {

@@ -9,6 +9,7 @@
 #include "world/area_portals.h"
 #include "world/bolts.h"
 #include "world/collision_world.h"
+#include "world/explosions.h"
 #include "world/level.h"
 #include "world/player_movement.h"
 
@@ -71,6 +72,13 @@ public:
 
     std::vector<MovedModel> moved_models() const;
     const Bolts& bolts() const { return bolts_; }
+    const Explosions& explosions() const { return explosions_; }
+
+    /// A player has 100; at 0 it starts anew at the start of the level.
+    static constexpr float full_health = 100.0f;
+    float health() const { return health_; }
+    /// How often it did.
+    int deaths() const { return deaths_; }
 
     /// Letters a to z as in a light style, of the styles that anything has set.
     const std::map<int, std::string>& light_styles() const { return light_styles_; }
@@ -83,6 +91,15 @@ public:
     bool push(size_t obstacle, const Placement& place);
     /// Fires as an entity's keys say, after its `delay`.
     void use_targets(const Entity& keys);
+    /// Without the delay.
+    void use_targets_now(const Entity& keys) { fire(keys); }
+    /// Opens or closes the area portals that a door's `target` names.
+    void set_portals_of(const Entity& door, bool open);
+    /// Takes health from the player, if there is one; negative damage heals up to full_health.
+    void hurt_player(float damage);
+    /// A burst with its light. The player loses `damage` less half its distance in map units, if
+    /// nothing solid stands between.
+    void explode(const glm::vec3& place, float damage);
     void turn_view(const glm::vec3& angles) { view_ = angles; }
     /// Actors with this `targetname`.
     std::vector<Actor*> find_actors(std::string_view targetname) const;
@@ -115,6 +132,10 @@ private:
     std::vector<Delayed> delayed_;
     std::map<int, std::string> light_styles_;
     Bolts bolts_;
+    Explosions explosions_;
+    glm::vec3 start_;
+    float health_ = full_health;
+    int deaths_ = 0;
     PlayerState player_, player_before_;
     bool player_present_ = true;
     std::optional<glm::vec3> view_;

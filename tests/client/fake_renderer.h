@@ -22,9 +22,11 @@ struct RenderLog {
     std::vector<double> times;
     std::vector<float> style_0;
     std::vector<float> style_1;
-    std::vector<refresh::Entity> entities; // of the last frame
-    size_t dynamic_lights = 0;             // in the last frame
-    std::vector<std::string> models;       // registered, in order
+    std::vector<refresh::Entity> entities;     // of the last frame
+    size_t dynamic_lights = 0;                 // in the last frame
+    std::vector<refresh::DynamicLight> lights; // of the last frame
+    std::vector<refresh::Spot> spots;          // of the last frame
+    std::vector<std::string> models;           // registered, in order
 
     std::set<std::string, std::less<>> broken_models;
     int fail_at_frame = -1; // render throws in this frame
@@ -58,6 +60,8 @@ public:
         log_.style_1.push_back(frame.light_styles[1]);
         log_.entities.assign(frame.entities.begin(), frame.entities.end());
         log_.dynamic_lights = frame.dynamic_lights.size();
+        log_.lights.assign(frame.dynamic_lights.begin(), frame.dynamic_lights.end());
+        log_.spots.assign(frame.spots.begin(), frame.spots.end());
         return rendered_++;
     }
     refresh::Picture read_picture(bool) override {

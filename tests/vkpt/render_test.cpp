@@ -61,6 +61,7 @@ refresh::Frame Shot::frame() const {
     frame.view = view;
     frame.entities = entities;
     frame.dynamic_lights = dynamic_lights;
+    frame.spots = spots;
     frame.time_s = time_s;
     frame.light_styles.fill(1.0f);
     for (const int style : dark_styles)

@@ -25,6 +25,7 @@ struct Shot {
     refresh::View view;
     std::vector<refresh::Entity> entities;
     std::vector<refresh::DynamicLight> dynamic_lights;
+    std::vector<refresh::Spot> spots{};
     double time_s = 0.0;
     std::vector<int> dark_styles{}; // light styles that are off; all others shine
     refresh::Frame frame() const;

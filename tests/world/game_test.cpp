@@ -1,49 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Entities that live, one after the other, on levels of boxes.
-#include "box_level.h"
-#include "world/game.h"
-#include "world/mover.h"
+#include "played_boxes.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 namespace vigil {
 namespace {
-
-std::shared_ptr<const Level> level_of(const BoxLevel& boxes) {
-    auto level = std::make_shared<Level>();
-    level->name = "boxes";
-    level->bsp = boxes.build();
-    return level;
-}
-
-struct Play {
-    explicit Play(const BoxLevel& boxes, const glm::vec3& start = {0, 0, 24.1f})
-        : game(level_of(boxes), start) {}
-    void run(float seconds, const PlayerCommand& command = {}) {
-        for (int64_t i = 0; i < ticks_of(seconds); ++i)
-            game.tick(command);
-    }
-    glm::vec3 place(int number) const {
-        return dynamic_cast<const Mover*>(game.actor(number))->place().origin;
-    }
-    glm::vec3 angles(int number) const {
-        return dynamic_cast<const Mover*>(game.actor(number))->place().angles;
-    }
-    bool shown(int number) const { return dynamic_cast<const Mover*>(game.actor(number))->shown(); }
-    Game game;
-};
-
-PlayerCommand ahead(float yaw = 0.0f) {
-    PlayerCommand command;
-    command.forward = 400.0f;
-    command.angles.y = yaw;
-    return command;
-}
-
-std::string model(uint32_t number) {
-    return "*" + std::to_string(number);
-}
 
 /// A door across the way at x = 200, 16 thick, 128 high, that goes up.
 BoxLevel with_door() {

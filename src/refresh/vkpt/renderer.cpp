@@ -321,10 +321,11 @@ void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const P
     shown_.guided = side.guided;
     shown_.bucket_size = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
     shown_.cdq_bits = side.variant.cdq_bits;
-    const auto visible = [](const refresh::DynamicLight& light) { return light.radius > 0.0f; };
+    const auto shines = [](const auto& light) { return light.radius > 0.0f; };
     shown_.dynamic_lights =
-        static_cast<size_t>(std::ranges::count_if(frame.dynamic_lights, visible) +
-                            std::ranges::count_if(frame.beams, is_visible));
+        static_cast<size_t>(std::ranges::count_if(frame.dynamic_lights, shines) +
+                            std::ranges::count_if(frame.beams, is_visible) +
+                            std::ranges::count_if(frame.spots, shines));
 }
 
 void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& frame) {

@@ -3,7 +3,6 @@
 // nobody has to shoot opens by itself before who comes within 60 units.
 #include "world/actors/door.h"
 
-#include "common/ascii_case.h"
 #include "world/actors/spawn_table.h"
 #include "world/game.h"
 
@@ -60,7 +59,7 @@ void Door::gather_team() {
 
 void Door::begin() {
     gather_team();
-    if (has_flag(start_open)) set_portals(true);
+    if (has_flag(start_open)) game().set_portals_of(keys(), true);
     if (!leads()) return;
 
     // All of a team arrive together: the one with the shortest way has its own speed.
@@ -122,7 +121,7 @@ void Door::open_up() {
         return;
     }
     state_ = State::Opening;
-    set_portals(true);
+    game().set_portals_of(keys(), true);
     if (leads()) use_targets();
     glide_to(open_, speed_);
 }
@@ -144,7 +143,7 @@ void Door::arrived() {
         if (!has_flag(toggle) && wait_s_ >= 0.0f) think_in(wait_s_);
     } else {
         state_ = State::Closed;
-        set_portals(false);
+        game().set_portals_of(keys(), false);
     }
 }
 
@@ -157,15 +156,6 @@ void Door::blocked() {
         else
             door->close();
     }
-}
-
-void Door::set_portals(bool open) const {
-    const std::string target = keys().get_string("target");
-    if (target.empty()) return;
-    for (const Entity& entity : game().bsp().entities)
-        if (equal_nocase(entity.classname(), "func_areaportal") &&
-            entity.get_string("targetname") == target)
-            game().area_portals().set_open(static_cast<uint32_t>(entity.get_int("style")), open);
 }
 
 std::unique_ptr<Actor> spawn_door(Game& game, const Entity& keys, int number) {

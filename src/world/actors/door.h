@@ -24,6 +24,8 @@ public:
     void hurt(float damage) override;
 
     State state() const { return state_; }
+    /// Nothing has to be pressed, shot or passed: it opens before who comes near.
+    bool opens_by_itself() const { return leader_->trigger_.has_value(); }
 
 protected:
     void arrived() override;
@@ -33,7 +35,6 @@ private:
     void gather_team();
     void open_up();
     void close();
-    void set_portals(bool open) const;
     bool leads() const { return leader_ == this; }
 
     Placement closed_, open_;

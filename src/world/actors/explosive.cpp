@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // func_explosive: gone once it is shot (`health`, 100 by default) or, with a name, used; then it
-// fires its targets. With the flag for it, it is not there until the first use.
+// fires its targets. With `dmg` it bursts with light and hurts the player nearby. With the flag for
+// it, it is not there until the first use.
 #include "world/actors/spawn_table.h"
+#include "world/game.h"
 #include "world/mover.h"
 
 namespace vigil {
@@ -13,7 +15,8 @@ constexpr uint32_t trigger_spawn = 1;
 class Explosive : public Mover {
 public:
     Explosive(Game& game, const Entity& keys, int number)
-        : Mover(game, keys, number), health_(number_key("health", 100.0f, 1.0f, 1e9f)) {
+        : Mover(game, keys, number), health_(number_key("health", 100.0f, 1.0f, 1e9f)),
+          damage_(number_key("dmg", 0.0f, 0.0f, 1e6f)) {
         if (has_flag(trigger_spawn)) show(false);
     }
     void use() override {
@@ -31,11 +34,13 @@ public:
 
 private:
     void explode() {
+        const Box box = game().collision().bounds(obstacle());
         remove(); // first: its targets may name it
+        if (damage_ > 0.0f) game().explode(0.5f * (box.mins + box.maxs), damage_);
         use_targets();
     }
 
-    float health_;
+    float health_, damage_;
 };
 
 } // namespace

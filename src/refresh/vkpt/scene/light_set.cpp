@@ -43,6 +43,37 @@ ModelGeometry dynamic_light_geometry(uint32_t material) {
     return geometry;
 }
 
+ModelGeometry spot_geometry(uint32_t lamp_material, uint32_t tube_material) {
+    // A corner is 0.495 off the axis, the rim of 12 sides at least 0.966: the whole square is seen
+    // up to atan(0.471 / 2.6) = 10 degrees, none of it beyond atan(1.495 / 2.6) = 30.
+    constexpr float depth = 2.6f, half = 0.35f, back = 2.7f;
+    ModelGeometry geometry;
+    const auto add = [&geometry](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+                                 uint32_t material, bool shines) {
+        shader::Primitive primitive{};
+        primitive.material = material;
+        primitive.light =
+            shines ? static_cast<uint32_t>(geometry.lights.size()) : uint32_t{shader::NONE};
+        primitive.cluster = shader::NONE;
+        geometry.primitives.push_back(primitive);
+        geometry.triangles.push_back({a, b, c, 255});
+        if (shines) geometry.lights.push_back({a, b, c, glm::vec3(1.0f), 1.0f, 0});
+    };
+    const auto corner = [](float y, float z) { return glm::vec3(-depth, y, z); };
+    add(corner(-half, -half), corner(half, -half), corner(half, half), lamp_material, true);
+    add(corner(-half, -half), corner(half, half), corner(-half, half), lamp_material, true);
+    constexpr int sides = 12;
+    const auto rim = [](int side, float x) {
+        const float angle = glm::radians(360.0f / sides * static_cast<float>(side));
+        return glm::vec3(x, std::cos(angle), std::sin(angle));
+    };
+    for (int side = 0; side < sides; ++side) {
+        add(rim(side, -back), rim(side + 1, -back), rim(side + 1, 0.0f), tube_material, false);
+        add(rim(side, -back), rim(side + 1, 0.0f), rim(side, 0.0f), tube_material, false);
+    }
+    return geometry;
+}
+
 LightSet::LightSet(std::vector<LightSource> world_lights)
     : world_(std::move(world_lights)), lights_(world_.size()),
       static_count_(static_cast<uint32_t>(world_.size())) {}

@@ -21,6 +21,9 @@ inline constexpr uint32_t dynamic_light_triangles = 8;
 /// The octahedron of a dynamic light of radius 1 around the origin, wound outwards.
 ModelGeometry dynamic_light_geometry(uint32_t material);
 
+/// The tube and the square of a Spot of radius 1, mouth at the origin, looking along +x.
+ModelGeometry spot_geometry(uint32_t lamp_material, uint32_t tube_material);
+
 class LightSet {
 public:
     LightSet() = default;

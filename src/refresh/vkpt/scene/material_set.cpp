@@ -129,6 +129,13 @@ uint32_t MaterialSet::lamp_material() {
     return mesh_material(lamp);
 }
 
+uint32_t MaterialSet::black_material() {
+    MeshMaterial black;
+    black.base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    black.metallic = 0.0f;
+    return mesh_material(black);
+}
+
 uint32_t MaterialSet::particle_material(const glm::vec3& color) {
     shader::Material material = plain_material(textures_.flat(color));
     material.flags |= shader::MATERIAL_SHINES;

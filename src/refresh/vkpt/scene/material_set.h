@@ -41,6 +41,8 @@ public:
     uint32_t picture_material(const std::string& path);
     /// A black material that emits: the body of a dynamic light.
     uint32_t lamp_material();
+    /// A black material: what hides a light.
+    uint32_t black_material();
     /// Of a particle: it shines in this colour (linear, 0..1), and is no light.
     uint32_t particle_material(const glm::vec3& color);
 

@@ -24,6 +24,7 @@ namespace {
 constexpr uint64_t entity_key_base = uint64_t{1} << 32;
 constexpr uint64_t dynamic_light_key_base = uint64_t{2} << 32;
 constexpr uint64_t beam_key_base = uint64_t{3} << 32;
+constexpr uint64_t spot_key_base = uint64_t{5} << 32;
 constexpr uint64_t particles_key = uint64_t{4} << 32;
 constexpr size_t least_particles = 256;
 
@@ -280,6 +281,19 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
         const glm::mat4x3 transform = spindle_transform(beam.from, beam.to, beam.radius);
         const uint32_t first_light = lights_.place(key, placed.lights, transform, beam.radiance);
         add_instance(placed, *dynamic_light_model_, transform, first_light, key, beam.id);
+    }
+    if (!frame.spots.empty() && !spot_model_)
+        spot_model_ = place_model(
+            "spot", spot_geometry(materials_->lamp_material(), materials_->black_material()),
+            Deforms::No);
+    for (const refresh::Spot& spot : frame.spots) {
+        if (!(spot.radius > 0.0f)) continue;
+        const Placed& placed = placed_[*spot_model_];
+        const uint64_t key = spot_key_base + spot.id;
+        const glm::mat3 turned = spot.radius * rotation_from_angles(spot.angles);
+        const glm::mat4x3 transform(turned[0], turned[1], turned[2], spot.origin);
+        const uint32_t first_light = lights_.place(key, placed.lights, transform, spot.radiance);
+        add_instance(placed, *spot_model_, transform, first_light, key, spot.id);
     }
     lights_.end_frame();
     top_nodes_ = build_top_level(top_instances_);

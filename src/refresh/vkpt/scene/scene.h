@@ -161,6 +161,7 @@ private:
     std::map<int, Pose> poses_;   // by entity number
     std::vector<size_t> changed_; // placed models whose geometry was written since the last upload
     std::optional<size_t> dynamic_light_model_;
+    std::optional<size_t> spot_model_;
     std::optional<size_t> particle_model_;
     size_t particle_capacity_ = 0;
     bool static_dirty_ = true;

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Light that moves, in the renderer: ids in the light list stay while a door, a ball or a spot
+// moves; a spot shines within its cone alone; and 32 wandering lights leave `vlc` unbiased and
+// little worse than the same lights at rest. With VIGIL_MEASURE=1 the last is measured in the
+// warehouse as well (docs/results/moving_lights.md).
+#include "client/level_entities.h"
+#include "client/test_lights.h"
+#include "render_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <iostream>
+#include <map>
+
+namespace vigil::test {
+namespace {
+
+constexpr int light_count = 32;
+constexpr double frame_s = 1.0 / 60.0;
+/// The moment that is judged.
+constexpr double judged_s = 10.0;
+
+class MovingLights : public RenderTest {
+protected:
+    /// Lights of this instance in the list of the frame that was rendered last.
+    static std::vector<shader::Light> lights_of(uint32_t first, uint32_t count) {
+        const auto all = renderer().scene()->lights().lights();
+        return {all.begin() + first, all.begin() + first + count};
+    }
+
+    /// The view with test lights as they are at a time of the level.
+    Shot wandering(const Shot& view, client::TestLights& lights, double time_s) const {
+        Shot shot = view;
+        shot.dynamic_lights = lights.at(light_count, time_s);
+        return shot;
+    }
+
+    /// A frame with this seed after `warmup` frames from nothing in which the lights came here at
+    /// this speed.
+    refresh::RadiancePicture settled(const Shot& view, client::TestLights& lights, double speed,
+                                     int warmup, int seed) const {
+        set("pt_seed", std::to_string(seed));
+        renderer().reset_guiding();
+        for (int frame = warmup; frame > 0; --frame)
+            renderer().render(wandering(view, lights, judged_s - speed * frame_s * frame).frame());
+        return radiance(wandering(view, lights, judged_s));
+    }
+
+    struct Errors {
+        double mse = 0.0, mse_error = 0.0; ///< and the standard error
+        double trimmed = 0.0;              ///< without the worst hundredth of the values
+    };
+    Errors errors(const Shot& view, client::TestLights& lights, double speed, int warmup, int seeds,
+                  const std::vector<double>& reference) const {
+        std::vector<double> each;
+        Errors result;
+        for (int seed = 1; seed <= seeds; ++seed) {
+            const refresh::RadiancePicture picture = settled(view, lights, speed, warmup, seed);
+            std::vector<double> squares;
+            for (size_t i = 0; i < reference.size(); ++i) {
+                const double error = static_cast<double>(picture.rgb[i]) - reference[i];
+                squares.push_back(error * error);
+            }
+            double sum = 0.0, kept = 0.0;
+            for (const double square : squares)
+                sum += square;
+            std::ranges::sort(squares);
+            const size_t most = squares.size() - squares.size() / 100;
+            for (size_t i = 0; i < most; ++i)
+                kept += squares[i];
+            each.push_back(sum / static_cast<double>(squares.size()));
+            result.trimmed += kept / static_cast<double>(most) / seeds;
+        }
+        for (const double mse : each)
+            result.mse += mse / seeds;
+        for (const double mse : each)
+            result.mse_error += (mse - result.mse) * (mse - result.mse);
+        result.mse_error = std::sqrt(result.mse_error / (seeds - 1.0) / seeds);
+        return result;
+    }
+
+    /// The mean of many paths with the lights where they are judged, by another technique.
+    static std::vector<double> reference(const Shot& shot, int pictures, int paths) {
+        set("pt_nee", "lh");
+        set("pt_guide", "brdf");
+        radiance(shot);
+        std::vector<double> mean;
+        shader::FrameParams frame = params(shot);
+        for (int i = 0; i < pictures; ++i) {
+            frame.cvars.pt_seed = 100000 + i;
+            const std::vector<float> picture =
+                trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths));
+            mean.resize(picture.size(), 0.0);
+            for (size_t value = 0; value < mean.size(); ++value)
+                mean[value] += static_cast<double>(picture[value]) / pictures;
+        }
+        return mean;
+    }
+
+    /// Prints a row of docs/results/moving_lights.md for each speed.
+    std::map<double, Errors> compare_speeds(const std::string& name, const Shot& view,
+                                            client::TestLights& lights, int warmup, int seeds,
+                                            int reference_pictures, int reference_paths) {
+        const std::vector<double> mean =
+            reference(wandering(view, lights, judged_s), reference_pictures, reference_paths);
+        set("pt_nee", "vlc");
+        set("pt_guide", "cdq");
+        std::map<double, Errors> found;
+        std::cout
+            << "| level | units per second | MSE | of rest | without the worst 1% | of rest |\n"
+               "|---|---|---|---|---|---|\n";
+        for (const double speed : {0.0, 1.0, 4.0}) {
+            const Errors row = found[speed] = errors(view, lights, speed, warmup, seeds, mean);
+            const Errors& rest = found[0.0];
+            std::cout << fmt::format(
+                "| {} | {:.0f} | {:.4g} +- {:.2g} | {:.2f} | {:.4g} | {:.2f} |\n", name,
+                speed * static_cast<double>(client::TestLights::speed), row.mse, row.mse_error,
+                row.mse / rest.mse, row.trimmed, row.trimmed / rest.trimmed);
+        }
+        return found;
+    }
+
+    static Shot in_rooms() {
+        Shot shot;
+        shot.view = {{40, 40, 60}, {0, 45, 0}, 90};
+        return shot;
+    }
+};
+
+TEST_F(MovingLights, KeepTheirPlacesInTheListAndLeaveIt) {
+    load("rooms");
+    const refresh::ModelHandle door = renderer().register_model("*1");
+    std::map<uint32_t, uint32_t> first_ids; // first light by entity or light
+    std::map<uint32_t, glm::vec3> last;
+    for (int frame = 0; frame < 12; ++frame) {
+        const float t = static_cast<float>(frame);
+        Shot shot = in_rooms();
+        shot.entities = {{1, door, {-40, -20, 4 * t}, {0, 5 * t, 0}}};
+        // One comes late, one before it goes early: the others stay what they are.
+        if (frame < 8) shot.dynamic_lights.push_back({7, {60 + t, 60, 60}, 8, {9, 9, 9}});
+        if (frame > 3) shot.dynamic_lights.push_back({8, {90, 60 + t, 60}, 8, {9, 9, 9}});
+        shot.dynamic_lights.push_back({9, {60, 90, 60 + t}, 8, {9, 9, 9}});
+        shot.spots = {{99, {100, 100, 60 + t}, {0, 7 * t, 0}, 1.5f, {100, 100, 100}}};
+        radiance(shot);
+        for (const shader::Instance& instance : renderer().scene()->host_instances()) {
+            if (instance.entity == 0) continue;
+            const auto [known, fresh] = first_ids.emplace(instance.entity, instance.first_light);
+            EXPECT_EQ(instance.first_light, known->second) << instance.entity;
+            const shader::Light light = lights_of(instance.first_light, 1).front();
+            EXPECT_NE(light.radiance, glm::vec3(0.0f)) << instance.entity;
+            if (!fresh) {
+                EXPECT_NE(light.v0, last[instance.entity]) << instance.entity;
+            }
+            last[instance.entity] = light.v0;
+        }
+    }
+    EXPECT_EQ(first_ids.size(), 5u);
+    radiance(in_rooms());
+    for (const auto& [entity, first] : first_ids)
+        EXPECT_EQ(lights_of(first, 1).front().radiance, glm::vec3(0.0f)) << entity;
+}
+
+/// A spot above a floor lights a disc of it: 10 degrees wide in full, dark beyond 30.
+TEST_F(MovingLights, SpotsShineWithinTheirCone) {
+    load("rooms", [](Level& level) {
+        for (BspTexInfo& info : level.bsp.texinfos)
+            info.flags &= ~static_cast<uint32_t>(SURF_LIGHT);
+    });
+    set("pt_bounces", "0");
+    set("pt_nee", "lh");
+    set_size(64, 64);
+    Shot shot;
+    shot.view = {{128, 128, 140}, {89.9f, 0, 0}, 60};
+    // Beside the eye, looking down; the floor is at 0.
+    shot.spots = {{1, {128, 128, 130}, {90, 0, 0}, 1.5f, {75000, 75000, 75000}}};
+    radiance(shot);
+    const std::vector<float> seen = trace(params(shot), renderer().scene()->features(), 64);
+    const auto mean_at = [&](double from_degrees, double to_degrees) {
+        double sum = 0.0, count = 0.0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                // The vertical and horizontal angles are those of a square picture.
+                const double half = std::tan(glm::radians(60.0) / 2.0) * 0.75;
+                const double dx = (x + 0.5) / 32.0 - 1.0, dy = (y + 0.5) / 32.0 - 1.0;
+                const double out = 140.0 * half * std::hypot(dx, dy);
+                const double angle = glm::degrees(std::atan2(out, 130.0));
+                if (angle < from_degrees || angle > to_degrees) continue;
+                sum += static_cast<double>(seen[3 * static_cast<size_t>(64 * y + x)]);
+                count += 1.0;
+            }
+        return sum / count;
+    };
+    const double middle = mean_at(4, 9), outside = mean_at(31, 36);
+    std::cout << fmt::format("middle {:.4g}, at 18 to 22 degrees {:.4g}, outside {:.4g}\n", middle,
+                             mean_at(18, 22), outside);
+    EXPECT_GT(middle, 0.0);
+    EXPECT_GT(mean_at(18, 22), 0.1 * middle);
+    EXPECT_LT(mean_at(18, 22), 0.8 * middle);
+    EXPECT_EQ(outside, 0.0);
+}
+
+TEST_F(MovingLights, LeaveVlcUnbiased) {
+    load("rooms");
+    client::TestLights lights(load_level(files(), "rooms"));
+    const Shot view = in_rooms();
+    constexpr int block = 4, batch_count = 16, sequences = 8, warmup = 6;
+    set("pt_nee", "lh");
+    const PictureBatches expected =
+        batches(wandering(view, lights, judged_s), batch_count, 256, 1000, block);
+    for (const char* guide : {"brdf", "cdq"}) {
+        set("pt_nee", "vlc");
+        set("pt_guide", guide);
+        PictureBatches seen(cvars()->vid_width, cvars()->vid_height, block);
+        int seed = 0;
+        for (int batch = 0; batch < batch_count; ++batch) {
+            std::vector<float> sum;
+            for (int sequence = 0; sequence < sequences; ++sequence) {
+                const refresh::RadiancePicture picture = settled(view, lights, 4.0, warmup, ++seed);
+                sum.resize(picture.rgb.size(), 0.0f);
+                for (size_t i = 0; i < sum.size(); ++i)
+                    sum[i] += picture.rgb[i] / sequences;
+            }
+            seen.add(sum);
+        }
+        for (size_t channel = 0; channel < 3; ++channel) {
+            const Comparison result = compare(seen, expected, channel);
+            std::cout << fmt::format("{} {}: {}\n", guide, "RGB"[channel], result.text());
+            EXPECT_TRUE(result.agrees(score_limit)) << result.text();
+            EXPECT_LT(score_limit * result.bias_error, 0.04);
+        }
+        // The test can fail.
+        seen.scale(1.06);
+        bool found = false;
+        for (size_t channel = 0; channel < 3; ++channel)
+            found |= !compare(seen, expected, channel).agrees(score_limit);
+        EXPECT_TRUE(found) << "a planted bias went unnoticed";
+    }
+}
+
+TEST_F(MovingLights, CostVlcLittle) {
+    load("rooms");
+    client::TestLights lights(load_level(files(), "rooms"));
+    const auto found = compare_speeds("rooms", in_rooms(), lights, 32, 16, 16, 512);
+    for (const auto& [speed, row] : found)
+        EXPECT_LT(row.mse, 2.0 * found.at(0.0).mse) << speed;
+}
+
+TEST_F(MovingLights, MeasuredInTheWarehouse) {
+    if (std::getenv("VIGIL_MEASURE") == nullptr) GTEST_SKIP() << "VIGIL_MEASURE=1 measures";
+    files().mount_folder(std::filesystem::path(VIGIL_SOURCE_DIR) / "baseq2");
+    load("warehouse");
+    set_size(96, 54);
+    client::TestLights lights(load_level(files(), "warehouse"));
+    const client::StartPlace start = client::find_start(level().bsp);
+    Shot shot;
+    shot.view = {start.origin, start.angles, 90};
+    const auto found = compare_speeds("warehouse", shot, lights, 32, 16, 16, 256);
+    for (const auto& [speed, row] : found)
+        EXPECT_LT(row.mse, 2.0 * found.at(0.0).mse) << speed;
+}
+
+} // namespace
+} // namespace vigil::test
