@@ -214,8 +214,7 @@ void Client::render(double seconds) {
 
 void Client::load_map(std::string_view name) {
     log_info("loading {} ...", name);
-    // Loading takes a while; the last frame before it says what is going on.
-    if (!headless() && picture_size() != glm::ivec2(0)) render(0.0);
+    show_loading();
     end_flight();
     end_demo();
     keep_recording();
@@ -226,6 +225,10 @@ void Client::load_map(std::string_view name) {
     menu_.close();
     if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
     last_frame_s_ = clock_.seconds();
+}
+
+void Client::show_loading() {
+    if (!headless() && picture_size() != glm::ivec2(0)) render(0.0);
 }
 
 void Client::start_play() {
@@ -295,6 +298,8 @@ void Client::start_demo(DemoPlayback demo) {
     end_demo();
     keep_recording();
     end_play();
+    if (!headless()) log_info("loading ...");
+    show_loading();
     demo.start(session_);
     demo_ = std::make_unique<DemoPlayback>(std::move(demo));
     console_.set_open(false);

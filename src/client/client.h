@@ -127,6 +127,8 @@ private:
     /// Ends a recording under way; what was recorded is kept.
     void keep_recording();
     bool measuring() const { return flight_ || (demo_ && demo_->timed()); }
+    /// Loading takes a while; the last frame before it says what is going on.
+    void show_loading();
     void show_title(double seconds);
     void limit_rate(double frame_start_s) const;
     bool mouse_look() const;

@@ -58,6 +58,7 @@ Menu::Menu(MenuParts parts) : parts_(std::move(parts)) {}
 
 void Menu::open() {
     pages_.clear();
+    pointer_.reset();
     open_page(PageKind::Main);
 }
 
@@ -270,7 +271,10 @@ void Menu::key(Key key, bool repeat) {
     case Key::PadA:
         return enter();
     case Key::Mouse1:
-        if (row_at(pointer_)) enter();
+        if (const std::optional<size_t> row = row_under_pointer()) {
+            pages_.back().chosen = *row;
+            enter();
+        }
         return;
     case Key::Escape:
     case Key::PadB:
@@ -287,18 +291,19 @@ void Menu::key(Key key, bool repeat) {
     }
 }
 
-std::optional<size_t> Menu::row_at(glm::vec2 place) const {
+std::optional<size_t> Menu::row_under_pointer() const {
+    if (!pointer_) return std::nullopt;
     for (const MenuPlace& row : places_)
-        if (glm::all(glm::greaterThanEqual(place, row.low)) &&
-            glm::all(glm::lessThan(place, row.high)))
+        if (glm::all(glm::greaterThanEqual(*pointer_, row.low)) &&
+            glm::all(glm::lessThan(*pointer_, row.high)))
             return row.row;
     return std::nullopt;
 }
 
 void Menu::point(glm::vec2 place) {
-    pointer_ = place;
-    if (wants_key_) return;
-    if (const std::optional<size_t> row = row_at(place)) pages_.back().chosen = *row;
+    const bool appeared = !std::exchange(pointer_, place).has_value();
+    if (appeared || wants_key_) return;
+    if (const std::optional<size_t> row = row_under_pointer()) pages_.back().chosen = *row;
 }
 
 } // namespace vigil::client

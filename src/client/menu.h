@@ -53,7 +53,8 @@ public:
 
     /// A key went down (`repeat`: is held). Not to be called while it is closed.
     void key(platform::Key key, bool repeat);
-    /// The mouse went to this place, in pixels.
+    /// The mouse went to this place, in pixels. The first place after open() is where it appears,
+    /// and chooses nothing.
     void point(glm::vec2 place);
     /// Where the rows are, after they were drawn.
     void set_places(std::vector<MenuPlace> places) { places_ = std::move(places); }
@@ -63,6 +64,8 @@ public:
     size_t chosen() const { return pages_.back().chosen; }
     /// Waits for the key that the chosen row shall have.
     bool wants_key() const { return wants_key_; }
+    /// The first row that was drawn last, so that a long page scrolls no more than it must.
+    size_t first_shown() const { return places_.empty() ? 0 : places_.front().row; }
 
 private:
     enum class PageKind { Main, Levels, Demos, Keys };
@@ -80,12 +83,12 @@ private:
     void take_key(platform::Key key);
     void unbind_chosen();
     size_t row_count() const;
-    std::optional<size_t> row_at(glm::vec2 place) const;
+    std::optional<size_t> row_under_pointer() const;
 
     MenuParts parts_;
     std::vector<Page> pages_; // the one that is shown last
     std::vector<MenuPlace> places_;
-    glm::vec2 pointer_{-1.0f};
+    std::optional<glm::vec2> pointer_; // none before it has moved
     bool wants_key_ = false;
 };
 

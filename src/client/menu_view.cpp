@@ -40,8 +40,10 @@ Box lay_out(const Menu& menu, const std::vector<MenuRow>& rows, const Pen& pen) 
                                 std::ceil(pen.line_height() * 1.2f));
     const auto room = static_cast<size_t>(std::max(1.0f, (screen.y - frame) / box.row_height));
     box.count = std::min(rows.size(), room);
-    const size_t before = std::min(menu.chosen(), box.count / 2);
-    box.first = std::min(menu.chosen() - before, rows.size() - box.count);
+    // From where it was, no further than it takes to show the chosen row.
+    box.first = std::min(menu.first_shown(), rows.size() - box.count);
+    if (menu.chosen() >= box.first + box.count) box.first = menu.chosen() + 1 - box.count;
+    if (!rows.empty()) box.first = std::min(box.first, menu.chosen());
     const float height =
         frame + static_cast<float>(std::max<size_t>(box.count, 1)) * box.row_height;
     box.low = {std::floor((screen.x - width) / 2.0f),

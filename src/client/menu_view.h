@@ -11,8 +11,8 @@ struct ImFont;
 
 namespace vigil::client {
 
-/// Draws the menu in the middle of the screen, into the current ImGui frame. Long pages show the
-/// rows around the chosen one. Returns where the rows are.
+/// Draws the menu in the middle of the screen, into the current ImGui frame. Long pages show a
+/// part of their rows, with the chosen one. Returns where the rows are.
 std::vector<MenuPlace> draw_menu(const Menu& menu, ImFont& font);
 
 /// Lines in the upper right corner, from `top` pixels down.

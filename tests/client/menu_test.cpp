@@ -184,7 +184,9 @@ TEST_F(MenuTest, TheMousePointsAndClicks) {
     };
     const size_t guide = row_of("Rays guided by");
     menu_.set_places({{guide, {10, 10}, {110, 30}}, {guide + 1, {10, 30}, {110, 50}}});
-    menu_.point({50, 20});
+    menu_.point({50, 20}); // where it appears
+    EXPECT_EQ(menu_.chosen(), 0u);
+    menu_.point({50, 21});
     EXPECT_EQ(menu_.chosen(), guide);
     press(Key::Mouse1);
     EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
@@ -196,6 +198,13 @@ TEST_F(MenuTest, TheMousePointsAndClicks) {
     EXPECT_EQ(menu_.chosen(), guide + 1);
     press(Key::Mouse2);
     EXPECT_FALSE(menu_.is_open());
+    // A click chooses what it hits, also where the mouse has not moved.
+    menu_.open();
+    menu_.set_places({{guide, {10, 10}, {110, 30}}});
+    menu_.point({50, 20});
+    press(Key::Mouse1);
+    EXPECT_EQ(menu_.chosen(), guide);
+    EXPECT_EQ(variables_.get_text("pt_guide"), "cdq");
 }
 
 TEST_F(MenuTest, TheChoiceGoesRound) {
