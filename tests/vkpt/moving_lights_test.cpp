@@ -263,7 +263,7 @@ TEST_F(MovingLights, MeasuredInTheWarehouse) {
     const client::StartPlace start = client::find_start(level().bsp);
     Shot shot;
     shot.view = {start.origin, start.angles, 90};
-    const auto found = compare_speeds("warehouse", shot, lights, 32, 16, 16, 256);
+    const auto found = compare_speeds("warehouse", shot, lights, 32, 48, 16, 256);
     for (const auto& [speed, row] : found)
         EXPECT_LT(row.mse, 2.0 * found.at(0.0).mse) << speed;
 }
