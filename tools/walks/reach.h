@@ -52,8 +52,8 @@ private:
     std::vector<Place> places_;
 };
 
-/// Takes a step; false where it ends in the air or in what burns. `commands` and `ways`, if given,
-/// receive every tick's command and the place after it.
+/// Takes a step; false where it ends in the air or in what burns. `commands` and `places`, if
+/// given, receive every tick's command and the place after it.
 bool take_step(PlayerState& state, const Step& step, const CollisionWorld& world,
                std::vector<PlayerCommand>* commands = nullptr,
                std::vector<glm::vec3>* places = nullptr);

@@ -117,7 +117,7 @@ CollisionWorld WalkMaker::open_world() const {
     CollisionWorld world = game_.collision();
     for (const auto& actor : game_.actors()) {
         const auto* door = dynamic_cast<const Door*>(actor.get());
-        if (door == nullptr || locked_.contains(door->number())) continue;
+        if (door == nullptr) continue;
         const bool moves =
             door->state() == Door::State::Opening || door->state() == Door::State::Closing;
         if (moves || (door->opens_by_itself() && door->state() == Door::State::Closed))
@@ -193,10 +193,12 @@ WalkMaker::Goal WalkMaker::farthest(const Reach& reach) const {
     float most = 150.0f; // nearer is nothing new
     for (size_t i = 1; i < reach.places().size(); ++i) {
         const Place& place = reach.places()[i];
-        if (place.ends || place.state.water_level > 1) continue;
+        if (place.ends) continue;
         float nearest = std::numeric_limits<float>::max();
         for (const glm::vec3& seen : seen_)
             nearest = std::min(nearest, glm::distance(seen, place.state.origin));
+        constexpr float under_water = 0.5f; // less to see there
+        if (place.state.water_level > 1) nearest *= under_water;
         if (nearest <= most) continue;
         most = nearest;
         best.place = static_cast<int>(i);
@@ -422,15 +424,19 @@ void WalkMaker::ride() {
 
 client::Walk WalkMaker::make() {
     rest(30);
-    int waits = 0;   // in a row
-    int64_t end = 0; // where they began
+    int waits = 0;                                          // in a row
+    int64_t end = 0;                                        // where they began
+    size_t places = std::numeric_limits<size_t>::max() / 2; // that the last leg could reach
     for (int leg = 0; leg < options_.legs && !over(); ++leg) {
         if (game_.player().hold != PlayerState::Hold::None) rest(25); // just arrived
         const CollisionWorld world = open_world();
         const Reach reach(world, game_.player(), longest_leg,
                           [this](const PlayerState& state) { return judge(state); });
         const std::vector<Goal> found = goals(reach);
-        const bool see = found.empty() || leg % 3 == 2;
+        // What has just opened may soon close.
+        const bool opened = reach.places().size() > 2 * places;
+        const bool see = found.empty() || leg % 3 == 2 || opened;
+        places = reach.places().size();
         const Goal goal = see ? farthest(reach) : found.front();
         if (goal.place <= 0) {
             // Between closed doors, or on its way with a lift: it will change.

@@ -62,7 +62,7 @@ private:
     bool can_shoot(const PlayerState& state, const Mover& target) const;
     void shoot(int actor);
     void ride();
-    /// No keys until something has opened, at most `ticks`; true if the plan is free then.
+    /// No keys.
     void rest(int ticks);
     void tick(const PlayerCommand& command);
     bool over() const;
@@ -71,9 +71,8 @@ private:
     MakerOptions options_;
     Game game_;
     client::Walk walk_;
-    float view_ = 0.0f;    ///< yaw
-    std::set<int> done_;   ///< actors that need no more visits
-    std::set<int> locked_; ///< doors that did not open
+    float view_ = 0.0f;  ///< yaw
+    std::set<int> done_; ///< actors that need no more visits
     std::vector<glm::vec3> seen_;
 };
 
