@@ -169,6 +169,12 @@ TEST_F(PlayCommands, AWalkRunsToItsEndBeforeWhatFollows) {
     EXPECT_NE(errors_.find("there is no walk walks/nowhere.walk"), std::string::npos) << errors_;
 }
 
+TEST_F(PlayCommands, ShippedWalksRun) {
+    EXPECT_EQ(run(VIGIL_SOURCE_DIR, "+map ring +walk ring +playerinfo"), 0) << errors_;
+    EXPECT_NE(output_.find("on the ground"), std::string::npos) << output_;
+    EXPECT_GT(render_.views.size(), 600u);
+}
+
 TEST_F(PlayCommands, WalksAreRecorded) {
     EXPECT_EQ(run(VIGIL_SOURCE_DIR, "+map warehouse +walkrecord b +wait 30 +walkstop "
                                     "+walk b +playerinfo"),
