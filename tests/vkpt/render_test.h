@@ -25,9 +25,9 @@ struct Shot {
     refresh::View view;
     std::vector<refresh::Entity> entities;
     std::vector<refresh::DynamicLight> dynamic_lights;
-    std::vector<refresh::Spot> spots{};
     double time_s = 0.0;
     std::vector<int> dark_styles{}; // light styles that are off; all others shine
+    std::vector<refresh::Spot> spots{};
     refresh::Frame frame() const;
 };
 
