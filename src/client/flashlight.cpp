@@ -11,8 +11,8 @@ namespace {
 /// it, and beside the picture.
 constexpr glm::vec3 hand(3.0f, 9.0f, -6.0f); // forward, right, up
 constexpr float radius = 1.5f;
-/// As bright on the axis as a surface light of value 40 and 64 x 64 units at the same distance.
-constexpr float radiance = 15000.0f;
+/// As bright on the axis as a surface light of value 40 and 37 x 37 units at the same distance.
+constexpr float radiance = 5000.0f;
 
 } // namespace
 
