@@ -51,3 +51,16 @@ function(vigil_test name)
     set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300)
   endif()
 endfunction()
+
+# vigil_test_subgroups(NAME): the test again at each other subgroup size that lavapipe can have. Other drivers ignore the
+# variables; the shader cache would hand out code of another size. Not under sanitizers: the host does the same each time.
+function(vigil_test_subgroups name)
+  if(VIGIL_SANITIZE)
+    return()
+  endif()
+  foreach(width IN ITEMS 128 512)
+    add_test(NAME ${name}_${width} COMMAND ${name})
+    set_tests_properties(${name}_${width} PROPERTIES LABELS gpu TIMEOUT 1200
+      ENVIRONMENT "LP_NATIVE_VECTOR_WIDTH=${width};MESA_SHADER_CACHE_DISABLE=true")
+  endforeach()
+endfunction()

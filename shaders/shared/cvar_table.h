@@ -58,8 +58,8 @@
         "most frames per second that the program tries to show; timedemo ignores it") \
     REAL(con_notify, Archived, 3.0, 0.0, 60.0, \
         "seconds that a new line of the console stays over the picture") \
-    INTEGER(scr_stats, Archived, 0, 0, 1, \
-        "1: frame time, times of groups of passes, technique and size stand in the window's corner; never in screenshots") \
+    CHOICE(scr_stats, Archived, "off", "off|groups|passes", \
+        "in the window's corner, never in screenshots: frame time, times of groups of passes or of every pass, technique and size") \
     INTEGER(testlights, Session, 0, 0, 1024, \
         "N above 0: N coloured lights wander through the level, around its start") \
     REAL(testlights_speed, Session, 1.0, 0.0, 100.0, \

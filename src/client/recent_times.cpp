@@ -1,38 +1,33 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "client/recent_times.h"
 
+#include <algorithm>
+
 namespace vigil::client {
 
 void RecentTimes::add_frame(const refresh::FrameTimes& frame) {
     if (frame.passes.empty()) return;
-    Groups sums;
-    for (const refresh::PassTime& pass : frame.passes) {
-        switch (pass.group) {
-        case refresh::PassGroup::PathTracing:
-            sums.path_tracing += pass.milliseconds;
-            break;
-        case refresh::PassGroup::Preparation:
-            sums.preparation += pass.milliseconds;
-            break;
-        case refresh::PassGroup::Other:
-            sums.other += pass.milliseconds;
-            break;
-        }
-    }
     if (frames_.size() == most_frames) frames_.pop_front();
-    frames_.push_back(sums);
+    frames_.push_back(frame.passes);
 }
 
-RecentTimes::Groups RecentTimes::means() const {
-    Groups means;
-    if (frames_.empty()) return means;
-    for (const Groups& frame : frames_) {
-        means.path_tracing += frame.path_tracing;
-        means.preparation += frame.preparation;
-        means.other += frame.other;
+std::vector<refresh::PassTime> RecentTimes::means() const {
+    std::vector<refresh::PassTime> means;
+    for (const std::vector<refresh::PassTime>& frame : frames_) {
+        for (const refresh::PassTime& pass : frame) {
+            auto mean = std::ranges::find(means, pass.name, &refresh::PassTime::name);
+            if (mean == means.end()) mean = means.insert(mean, {pass.name, 0.0, pass.group});
+            mean->milliseconds += pass.milliseconds / static_cast<double>(frames_.size());
+        }
     }
-    const auto count = static_cast<double>(frames_.size());
-    return {means.path_tracing / count, means.preparation / count, means.other / count};
+    return means;
+}
+
+double sum_of(const std::vector<refresh::PassTime>& passes, refresh::PassGroup group) {
+    double sum = 0.0;
+    for (const refresh::PassTime& pass : passes)
+        if (pass.group == group) sum += pass.milliseconds;
+    return sum;
 }
 
 } // namespace vigil::client

@@ -5,11 +5,35 @@
 
 namespace vigil::client {
 
+namespace {
+
+constexpr int stats_passes = cvar_choice("scr_stats", "passes");
+
+struct Group {
+    refresh::PassGroup group;
+    std::string_view name;
+};
+constexpr Group groups[] = {{refresh::PassGroup::PathTracing, "path tracing"},
+                            {refresh::PassGroup::Preparation, "preparation"},
+                            {refresh::PassGroup::Other, "other passes"}};
+
+} // namespace
+
 std::string technique_text(const CvarRegistry& variables) {
     std::string text = technique_row_name({static_cast<Technique>(variables->pt_nee),
                                            variables->pt_guide == cvar_choice("pt_guide", "cdq")});
     if (variables->pt_compare != 0) text += " | " + variables.get_text("pt_compare");
     return text;
+}
+
+void ScreenStats::add_passes(const std::vector<refresh::PassTime>& passes, bool each) {
+    for (const Group& group : groups) {
+        lines_.push_back(fmt::format("{:<16} {:6.1f} ms", group.name, sum_of(passes, group.group)));
+        if (!each) continue;
+        for (const refresh::PassTime& pass : passes)
+            if (pass.group == group.group)
+                lines_.push_back(fmt::format("  {:<14} {:6.1f} ms", pass.name, pass.milliseconds));
+    }
 }
 
 void ScreenStats::add_frame(double seconds, const RecentTimes& gpu, const CvarRegistry& variables,
@@ -21,12 +45,7 @@ void ScreenStats::add_frame(double seconds, const RecentTimes& gpu, const CvarRe
     if (seconds_ > 0.0)
         lines_.push_back(
             fmt::format("{:.1f} ms  {:.1f} fps", 1e3 * seconds_ / frames_, frames_ / seconds_));
-    if (!gpu.empty()) {
-        const RecentTimes::Groups means = gpu.means();
-        lines_.push_back(fmt::format("path tracing {:6.1f} ms", means.path_tracing));
-        lines_.push_back(fmt::format("preparation  {:6.1f} ms", means.preparation));
-        lines_.push_back(fmt::format("other passes {:6.1f} ms", means.other));
-    }
+    if (!gpu.empty()) add_passes(gpu.means(), variables->scr_stats == stats_passes);
     lines_.push_back(technique_text(variables));
     lines_.push_back(fmt::format("{} x {}, {} path{} per pixel", picture_size.x, picture_size.y,
                                  variables->pt_spp, variables->pt_spp == 1 ? "" : "s"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The lines of scr_stats: frame time, GPU times by groups of passes, what lights the picture, and
-// its size. They change twice a second, so that they can be read.
+// The lines of scr_stats: frame time, GPU times by groups of passes or by pass, what lights the
+// picture, and its size. They change twice a second, so that they can be read.
 #pragma once
 
 #include "client/recent_times.h"
@@ -21,6 +21,8 @@ public:
 
 private:
     static constexpr double interval_s = 0.5;
+
+    void add_passes(const std::vector<refresh::PassTime>& passes, bool each);
 
     int frames_ = 0;
     double seconds_ = 0.0;

@@ -21,7 +21,8 @@ struct Most {
     std::string_view variable;
     double value;
 };
-constexpr Most most[] = {{"pt_spp", 2}, {"pt_light_points", 16}, {"pt_subdivide", 1}};
+constexpr Most most[] = {
+    {"pt_spp", 2}, {"pt_light_points", 16}, {"pt_subdivide", 1}, {"testlights", 64}};
 
 constexpr std::string_view keys[] = {"forward", "back",     "moveleft", "moveright",
                                      "moveup",  "movedown", "speed",    "left",
@@ -29,6 +30,7 @@ constexpr std::string_view keys[] = {"forward", "back",     "moveleft", "moverig
 
 /// That only show or forget something.
 constexpr std::string_view others[] = {"guidingreset",
+                                       "flashlight",
                                        "guiding",
                                        "vlcinfo",
                                        "cdqinfo",
@@ -43,7 +45,8 @@ constexpr std::string_view others[] = {"guidingreset",
 
 Soak::Soak(SoakChoices choices, uint32_t seed) : choices_(std::move(choices)), random_(seed) {
     for (const CvarInfo& info : cvar_infos)
-        if (info.name.starts_with("pt_") && info.life != CvarLife::Start)
+        if ((info.name.starts_with("pt_") || info.name.starts_with("testlights")) &&
+            info.life != CvarLife::Start)
             variables_.push_back(&info);
 }
 

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Every experiment from the command line to its report, in its --quick form, and an interruption in
 // the midst of one.
+#include "common/process.h"
 #include "common/scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <sys/wait.h>
+#include <memory>
 #include <thread>
-#include <unistd.h>
 
 namespace vigil::bench {
 
@@ -24,33 +22,19 @@ protected:
     std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
 
     /// Starts vigil_bench; what it prints goes to NAME.txt.
-    pid_t start(const std::string& name, const std::vector<std::string>& more) const {
+    std::unique_ptr<test::Process> start(const std::string& name,
+                                         const std::vector<std::string>& more) const {
         std::vector<std::string> words = {VIGIL_BENCH, name,
                                           "--quick",   "--set",
                                           "outdir",    folder_.path().string(),
                                           "--seeds",   "1",
                                           "--json",    file(name + ".json").string()};
         words.insert(words.end(), more.begin(), more.end());
-        const pid_t child = fork();
-        if (child != 0) return child;
-        const std::string log = file(name + ".txt").string();
-        if (!std::freopen(log.c_str(), "w", stdout)) _exit(127);
-        std::vector<char*> pointers;
-        for (std::string& word : words)
-            pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        execv(VIGIL_BENCH, pointers.data());
-        _exit(127);
-    }
-
-    static int status_of(pid_t child) {
-        int status = 0;
-        waitpid(child, &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        return std::make_unique<test::Process>(words, file(name + ".txt").string());
     }
 
     int run(const std::string& name, const std::vector<std::string>& more = {}) const {
-        return status_of(start(name, more));
+        return start(name, more)->wait();
     }
 
     std::string text_of(const std::string& name) const {
@@ -131,12 +115,11 @@ TEST_F(Experiments, RingTurnsTheLamp) {
 
 TEST_F(Experiments, TradeGoesOnAfterAnInterruption) {
     const std::vector<std::string> some = {"--part", "warehouse pt_vlc"};
-    const pid_t child = start("trade", some);
-    while (report_of("trade").value("parts", json::array()).empty() &&
-           waitpid(child, nullptr, WNOHANG) == 0)
+    const auto program = start("trade", some);
+    while (report_of("trade").value("parts", json::array()).empty() && program->running())
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    kill(child, SIGINT);
-    status_of(child);
+    program->send(SIGINT);
+    program->wait();
     const std::size_t before = report_of("trade")["parts"].size();
     ASSERT_GE(before, 1u);
 

@@ -89,7 +89,7 @@ TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
     choose("Statistics");
     EXPECT_EQ(chosen().value, "off");
     press(Key::PadA);
-    EXPECT_EQ(chosen().value, "on");
+    EXPECT_EQ(chosen().value, "groups");
     EXPECT_EQ(variables_->scr_stats, 1);
 
     choose("Compare with");
@@ -225,19 +225,22 @@ refresh::FrameTimes times_of(double tracing, double preparation, double other) {
             {}};
 }
 
-TEST(RecentTimes, AreMeansOfGroupsOverTheLastFrames) {
+TEST(RecentTimes, AreMeansOverTheLastFrames) {
     RecentTimes recent;
-    EXPECT_EQ(recent.means().sum(), 0.0);
+    EXPECT_TRUE(recent.means().empty());
     recent.add_frame({0, {}, {}}); // a device without timestamps
     EXPECT_TRUE(recent.empty());
     for (int i = 0; i < 10; ++i)
         recent.add_frame(times_of(1000, 1000, 1000)); // long ago
     for (size_t i = 0; i < RecentTimes::most_frames; ++i)
         recent.add_frame(i % 2 == 0 ? times_of(10, 2, 1) : times_of(20, 4, 3));
-    EXPECT_DOUBLE_EQ(recent.means().path_tracing, 15.0);
-    EXPECT_DOUBLE_EQ(recent.means().preparation, 3.0);
-    EXPECT_DOUBLE_EQ(recent.means().other, 2.0);
-    EXPECT_DOUBLE_EQ(recent.means().sum(), 20.0);
+    const std::vector<refresh::PassTime> means = recent.means();
+    EXPECT_NEAR(sum_of(means, refresh::PassGroup::PathTracing), 15.0, 1e-9);
+    EXPECT_NEAR(sum_of(means, refresh::PassGroup::Preparation), 3.0, 1e-9);
+    EXPECT_NEAR(sum_of(means, refresh::PassGroup::Other), 2.0, 1e-9);
+    ASSERT_EQ(means.size(), 4u);
+    EXPECT_EQ(means[1].name, "direct");
+    EXPECT_NEAR(means[1].milliseconds, 7.5, 1e-9);
 }
 
 TEST(ScreenStats, SaysWhatAPlayerWantsToKnowTwiceASecond) {
@@ -249,7 +252,7 @@ TEST(ScreenStats, SaysWhatAPlayerWantsToKnowTwiceASecond) {
     stats.add_frame(0.020, recent, variables, {640, 360});
     ASSERT_EQ(stats.lines().size(), 6u);
     EXPECT_EQ(stats.lines()[0], "20.0 ms  50.0 fps");
-    EXPECT_EQ(stats.lines()[1], "path tracing   10.0 ms");
+    EXPECT_EQ(stats.lines()[1], "path tracing       10.0 ms");
     EXPECT_EQ(stats.lines()[4], "vlc+cdq");
     EXPECT_EQ(stats.lines()[5], "640 x 360, 1 path per pixel");
     variables.set("pt_compare", "sll");
@@ -261,6 +264,11 @@ TEST(ScreenStats, SaysWhatAPlayerWantsToKnowTwiceASecond) {
     EXPECT_EQ(stats.lines()[0], "40.0 ms  25.0 fps");
     EXPECT_EQ(stats.lines()[4], "vlc+cdq | sll");
     EXPECT_EQ(stats.lines()[5], "1280 x 720, 4 paths per pixel");
+    variables.set("scr_stats", "passes");
+    for (int i = 0; i < 13; ++i)
+        stats.add_frame(0.040, recent, variables, {1280, 720});
+    ASSERT_EQ(stats.lines().size(), 10u);
+    EXPECT_EQ(stats.lines()[3], "  direct            5.0 ms");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the programs do when Vulkan fails: whichever call it is and whenever it happens, they end
 // with one message that names the fault and with exit status 1, and what was finished is kept.
+#include "common/process.h"
 #include "common/scratch_folder.h"
 
 #include <gtest/gtest.h>
@@ -8,14 +9,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <sstream>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace vigil::test {
 namespace {
@@ -35,40 +33,34 @@ struct Outcome {
 class Faults : public testing::Test {
 protected:
     /// Starts a program with a fault (fault_layer.cpp), its words split at spaces.
-    pid_t start(const char* program, const std::string& fault, const std::string& text) const {
+    std::unique_ptr<Process> start(const char* program, const std::string& fault,
+                                   const std::string& text) const {
         std::istringstream stream(text);
         std::vector<std::string> words = {program};
         for (std::string word; stream >> word;)
             words.push_back(word);
-        const pid_t child = fork();
-        if (child != 0) return child;
-        setenv("VIGIL_FAULT", fault.c_str(), 1);
-        setenv("VK_LAYER_PATH", VIGIL_LAYERS, 1);
-        setenv("VK_INSTANCE_LAYERS", "VK_LAYER_VIGIL_fault", 1);
-        // Compiled shaders are kept from run to run, apart from the user's.
-        const std::string cache = (std::filesystem::current_path() / "test-cache").string();
-        setenv("XDG_CACHE_HOME", cache.c_str(), 1);
-        setenv("XDG_CONFIG_HOME", file("config").c_str(), 1);
-        if (!std::freopen(file("log").c_str(), "w", stdout) || dup2(1, 2) < 0) _exit(127);
-        std::vector<char*> pointers;
-        for (std::string& word : words)
-            pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        execv(program, pointers.data());
-        _exit(127);
+        std::filesystem::remove(file("log"));
+        return std::make_unique<Process>(
+            words, file("log"),
+            std::map<std::string, std::string>{
+                {"VIGIL_FAULT", fault},
+                {"VK_LAYER_PATH", VIGIL_LAYERS},
+                {"VK_INSTANCE_LAYERS", "VK_LAYER_VIGIL_fault"},
+                // Compiled shaders are kept from run to run, apart from the user's.
+                {"XDG_CACHE_HOME", (std::filesystem::current_path() / "test-cache").string()},
+                {"XDG_CONFIG_HOME", file("config")}});
     }
 
-    Outcome outcome_of(pid_t child) const {
-        int status = 0;
-        waitpid(child, &status, 0);
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of("log")};
+    Outcome outcome_of(Process& program) const {
+        const int status = program.wait();
+        return {status, text_of("log")};
     }
 
     /// Renders a level without a window, at two sizes, and takes a picture.
     Outcome render(const std::string& fault) const {
-        return outcome_of(start(VIGIL, fault,
-                                headless() + " +map rooms +wait 3 +set vid_width 80 +wait 2 "
-                                             "+screenshot"));
+        return outcome_of(*start(VIGIL, fault,
+                                 headless() + " +map rooms +wait 3 +set vid_width 80 +wait 2 "
+                                              "+screenshot"));
     }
 
     std::string headless(const std::string& data = "/tests/data") const {
@@ -140,7 +132,7 @@ TEST_F(Faults, WithoutAFaultTheLayerChangesNothing) {
 TEST_F(Faults, ALostDeviceLeavesTheRepetitionsThatAreFinished) {
     const std::string words =
         headless("/") + " +set timedemo 40 +set timedemo_json demo.json +demomap ring";
-    const pid_t child = start(VIGIL, "vkQueueSubmit -4 @" + file("now"), words);
+    const auto program = start(VIGIL, "vkQueueSubmit -4 @" + file("now"), words);
     // The second of Quake's lines: a repetition is finished, others are not.
     const auto lines = [&] {
         const std::string log = text_of("log");
@@ -150,10 +142,10 @@ TEST_F(Faults, ALostDeviceLeavesTheRepetitionsThatAreFinished) {
             ++count;
         return count;
     };
-    while (lines() < 1 && waitpid(child, nullptr, WNOHANG) == 0)
+    while (lines() < 1 && program->running())
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::ofstream(file("now")) << "now";
-    const Outcome outcome = outcome_of(child);
+    const Outcome outcome = outcome_of(*program);
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     EXPECT_NE(outcome.text.find("device was lost"), std::string::npos) << outcome.text;
     EXPECT_NE(outcome.text.find("reported is what was finished"), std::string::npos)
@@ -174,14 +166,14 @@ TEST_F(Faults, ALostDeviceLeavesThePartsThatAreFinished) {
                     "64x36 --warmup 200 --reference-paths 16 --basedir ") +
         VIGIL_SOURCE_DIR + "/tests/data --set outdir " + folder_.path().string() + " --json " +
         file("quality.json");
-    const pid_t child = start(VIGIL_BENCH, "vkQueueSubmit -4 @" + file("now"), words);
+    const auto program = start(VIGIL_BENCH, "vkQueueSubmit -4 @" + file("now"), words);
     const auto parts = [&] {
         return report_of("quality.json").value("parts", nlohmann::json::array()).size();
     };
-    while (parts() == 0 && waitpid(child, nullptr, WNOHANG) == 0)
+    while (parts() == 0 && program->running())
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     std::ofstream(file("now")) << "now";
-    const Outcome outcome = outcome_of(child);
+    const Outcome outcome = outcome_of(*program);
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     EXPECT_NE(outcome.text.find("device was lost"), std::string::npos) << outcome.text;
     EXPECT_GE(parts(), 1u);
