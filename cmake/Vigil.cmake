@@ -44,9 +44,10 @@ function(vigil_test name)
   target_compile_definitions(${name} PRIVATE VIGIL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
+  set_property(TEST ${name} PROPERTY ENVIRONMENT
+    "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0")
   if(ARG_GPU)
-    set_tests_properties(${name} PROPERTIES LABELS gpu TIMEOUT 1200
-      ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/gpu/drivers.supp:print_suppressions=0")
+    set_tests_properties(${name} PROPERTIES LABELS gpu TIMEOUT 1200)
   else()
     set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300)
   endif()
