@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string>
 #include <unistd.h>
@@ -50,6 +51,8 @@ PFN_vkGetInstanceProcAddr next_instance_proc = nullptr;
 PFN_vkGetDeviceProcAddr next_device_proc = nullptr;
 VkInstance the_instance = VK_NULL_HANDLE;
 VkDevice the_device = VK_NULL_HANDLE;
+/// Asked for while the instance is made: later the loader would answer with this layer's own.
+std::map<std::string, PFN_vkVoidFunction> next_of_instance;
 
 /// Stands in front of a call that returns a VkResult: one per name, made by the macros below.
 template <const char* const& Name, typename Function> struct Gate;
@@ -60,7 +63,7 @@ struct Gate<Name, VkResult(VKAPI_PTR*)(Arguments...)> {
         using Next = VkResult(VKAPI_PTR*)(Arguments...);
         PFN_vkVoidFunction next =
             the_device != VK_NULL_HANDLE ? next_device_proc(the_device, Name) : nullptr;
-        if (next == nullptr) next = next_instance_proc(the_instance, Name);
+        if (next == nullptr) next = next_of_instance[Name];
         return reinterpret_cast<Next>(next)(arguments...);
     }
 };
@@ -127,7 +130,10 @@ VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo* info,
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(
         next_instance_proc(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, allocator, instance);
-    if (result == VK_SUCCESS) the_instance = *instance;
+    if (result != VK_SUCCESS) return result;
+    the_instance = *instance;
+    for (const Entry& entry : gates)
+        next_of_instance[entry.name] = next_instance_proc(*instance, entry.name);
     return result;
 }
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -122,6 +122,24 @@ INSTANTIATE_TEST_SUITE_P(
         const std::string call = instance.param.call;
         return call.substr(0, call.find(' '));
     });
+
+// The surfaces of X; SDL asks for the first kind, GLFW for the second.
+TEST_F(Faults, AWindowWithoutASurfaceEndsTheProgramWithAMessage) {
+    if (std::getenv("DISPLAY") == nullptr) GTEST_SKIP() << "no display: windows cannot be tested";
+    constexpr std::pair<const char*, const char*> faults[] = {
+        {"sdl", "vkCreateXlibSurfaceKHR -3 1"},        {"glfw", "vkCreateXcbSurfaceKHR -3 1"},
+        {"sdl", "vkCreateSwapchainKHR -1000000000 1"}, {"sdl", "vkQueuePresentKHR -1000000000 3"},
+        {"glfw", "vkQueuePresentKHR -1000000000 3"},   {"sdl", "vkAcquireNextImageKHR -4 3"}};
+    for (const auto& [system, fault] : faults) {
+        const Outcome outcome = outcome_of(*start(
+            VIGIL, fault, headless() + " +set vid_driver " + system + " +map rooms +wait 9 +quit"));
+        EXPECT_EQ(outcome.status, 1) << fault << '\n' << outcome.text;
+        EXPECT_GE(outcome.errors(), 1) << outcome.text;
+        EXPECT_TRUE(outcome.text.find("surface") != std::string::npos ||
+                    outcome.text.find("device was lost") != std::string::npos)
+            << outcome.text;
+    }
+}
 
 TEST_F(Faults, WithoutAFaultTheLayerChangesNothing) {
     const Outcome outcome = render("vkQueueSubmit -4 1000000");
