@@ -14,6 +14,15 @@ namespace vigil::bench {
 
 namespace {
 
+/// Levels in which quadtrees need more frames than the light cache.
+struct LevelWarmup {
+    std::string_view level;
+    int frames;
+};
+constexpr LevelWarmup level_warmups[] = {
+    {"mine", 64}, // few rays meet its sun
+};
+
 std::vector<QualityRow> rows_of(std::initializer_list<std::string_view> names) {
     std::vector<QualityRow> rows;
     for (const std::string_view name : names)
@@ -46,13 +55,12 @@ bool is_named(std::span<const std::string> arguments, std::string_view option) {
 
 } // namespace
 
-void lengthen_warmups(Plan& plan, std::span<const std::string> arguments) {
-    constexpr std::string_view dark_level = "mine";
-    constexpr int frames = 64;
+void warm_up_quadtrees(Plan& plan, std::span<const std::string> arguments) {
     if (is_named(arguments, "--warmup") || is_named(arguments, "--quick")) return;
     for (Part& part : plan.parts)
-        if (part.level == dark_level && std::ranges::any_of(part.options.rows, is_guided))
-            part.options.warmup = std::max(part.options.warmup, frames);
+        for (const LevelWarmup& warmup : level_warmups)
+            if (part.level == warmup.level && std::ranges::any_of(part.options.rows, is_guided))
+                part.options.warmup = std::max(part.options.warmup, warmup.frames);
 }
 
 void select_parts(Plan& plan) {
@@ -78,7 +86,7 @@ Plan quality_plan(std::span<const std::string> arguments) {
         options.rows.push_back(row);
     Plan plan{"quality", parse_quality_options(arguments, {options, quick(options)}), {}};
     plan.parts = level_parts(plan.options);
-    lengthen_warmups(plan, arguments);
+    warm_up_quadtrees(plan, arguments);
     return plan;
 }
 

@@ -38,10 +38,9 @@ Plan scale_plan(std::span<const std::string> arguments);
 /// variables. The table is in trade_plan.cpp.
 Plan trade_plan(std::span<const std::string> arguments);
 
-/// In `mine`, whose light comes from a sun that few rays find, quadtrees need more frames than the
-/// light cache: parts with guided rays there have a warm-up of at least 64 frames, unless
-/// `arguments` hold --warmup or --quick.
-void lengthen_warmups(Plan& plan, std::span<const std::string> arguments);
+/// Parts with guided rays, of levels in which quadtrees learn late (a table in plan.cpp), get the
+/// warm-up that they need there, unless `arguments` hold --warmup or --quick.
+void warm_up_quadtrees(Plan& plan, std::span<const std::string> arguments);
 
 /// Drops the parts that --part leaves out. Throws Error, which names all, when none is left.
 void select_parts(Plan& plan);

@@ -114,7 +114,7 @@ Plan trade_plan(std::span<const std::string> arguments) {
             add(level, sweep.variable, sweep.technique, rows);
         }
     }
-    lengthen_warmups(plan, arguments);
+    warm_up_quadtrees(plan, arguments);
     return plan;
 }
 

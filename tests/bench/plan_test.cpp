@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace vigil::bench {
@@ -64,6 +65,22 @@ TEST(Plan, PartsAreChosenByTheBeginningsOfTheirNames) {
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("gallery"), std::string::npos);
     }
+}
+
+TEST(Plan, QuadtreesGetTheFramesTheyNeedWhereTheyLearnLate) {
+    const auto warmups = [](const Words& words) {
+        std::map<std::string, int> frames;
+        for (const Part& part : trade_plan(words).parts)
+            frames[part.name] = part.options.warmup;
+        return frames;
+    };
+    auto usual = warmups({});
+    EXPECT_EQ(usual["mine pt_cdq_bits"], 64);
+    EXPECT_EQ(usual["mine techniques"], 64); // some of them guide rays
+    EXPECT_EQ(usual["mine pt_sll_max"], usual["warehouse pt_sll_max"]);
+    EXPECT_LT(usual["warehouse pt_cdq_bits"], 64);
+    EXPECT_EQ(warmups({"--warmup", "3"})["mine pt_cdq_bits"], 3);
+    EXPECT_LT(warmups({"--quick", "--level", "mine"})["mine pt_cdq_bits"], 64);
 }
 
 TEST(Plan, TheDefaultIsAmongWhatIsTried) {

@@ -21,17 +21,8 @@ protected:
 
     /// The passes of one frame with either backend on what was rendered last, by queries.
     static std::vector<float> trace_by(bool ray_query, const Shot& shot) {
-        const gpu::Device& device = renderer().device();
-        device.wait_idle();
-        vkpt::PathTracer& tracer = renderer().path_tracer();
-        gpu::FrameCommands commands(device);
-        commands.begin();
-        tracer.record(commands, {Technique::uniform, renderer().scene()->features(), ray_query},
-                      params(shot), 2, true, renderer().guiding().set());
-        commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
-        commands.finish();
-        return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,
-                                           uint64_t{3} * tracer.size().x * tracer.size().y);
+        return trace(params(shot), {Technique::uniform, renderer().scene()->features(), ray_query},
+                     2, true);
     }
 
     /// Values may differ by a thousandth (hit points differ by roundings; 1e-5 was seen), and one

@@ -163,15 +163,23 @@ shader::FrameParams RenderTest::params(const Shot& shot) {
 std::vector<float> RenderTest::trace(const shader::FrameParams& params,
                                      const vkpt::SceneFeatures& features, uint32_t paths,
                                      LightSamples light_samples) {
+    const auto technique = static_cast<Technique>(cvars()->pt_nee);
+    return trace(params, {technique, features, false, renderer().cdq_bits()}, paths,
+                 light_samples == LightSamples::All && renderer().technique()->samples_lights());
+}
+
+std::vector<float> RenderTest::trace(const shader::FrameParams& params,
+                                     const vkpt::PathTracerVariant& variant, uint32_t paths,
+                                     bool samples_lights) {
     const gpu::Device& device = renderer().device();
     device.wait_idle();
     vkpt::PathTracer& tracer = renderer().path_tracer();
-    const auto technique = static_cast<Technique>(cvars()->pt_nee);
+    const vkpt::PictureSide whole{variant, samples_lights && variant.features.lights,
+                                  false,   renderer().guiding().set(),
+                                  0,       tracer.size().x};
     gpu::FrameCommands commands(device);
     commands.begin();
-    tracer.record(commands, {technique, features, false, renderer().cdq_bits()}, params, paths,
-                  light_samples == LightSamples::All && renderer().technique()->samples_lights(),
-                  renderer().guiding().set());
+    tracer.record(commands, std::span(&whole, 1), params, paths);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,

@@ -74,6 +74,10 @@ protected:
     static std::vector<float> trace(const shader::FrameParams& params,
                                     const vkpt::SceneFeatures& features, uint32_t paths,
                                     LightSamples light_samples = LightSamples::All);
+    /// The same of any variant; `samples_lights` as the technique says.
+    static std::vector<float> trace(const shader::FrameParams& params,
+                                    const vkpt::PathTracerVariant& variant, uint32_t paths,
+                                    bool samples_lights);
 
 private:
     std::shared_ptr<const Level> level_;

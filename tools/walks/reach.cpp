@@ -13,7 +13,6 @@ namespace vigil::walks {
 
 namespace {
 
-constexpr float run_speed = 400.0f; // as the keys of the program
 constexpr int headings = 8;
 constexpr int jump_ticks = 4;    // that the key is down
 constexpr int jump_penalty = 60; // ticks: people jump where they have to

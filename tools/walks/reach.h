@@ -12,6 +12,9 @@
 
 namespace vigil::walks {
 
+/// As the keys of the program.
+inline constexpr float run_speed = 400.0f;
+
 /// One step: in a direction for some ticks, and on until the feet are on the ground or swim.
 struct Step {
     float heading = 0.0f; ///< degrees

@@ -19,7 +19,6 @@ namespace vigil::walks {
 
 namespace {
 
-constexpr float run_speed = 400.0f;
 constexpr float astray = 10.0f;    // map units from the plan
 constexpr int look_ahead = 30;     // ticks
 constexpr int look_every = 5;      // ticks

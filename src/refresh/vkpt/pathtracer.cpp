@@ -140,6 +140,11 @@ PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& variant) {
     return *variants_.back();
 }
 
+size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_size) {
+    const uint32_t column = shader::crosshair_pixel(picture_size).x;
+    return sides.size() > 1 && column >= sides[1].first_column ? 1 : 0;
+}
+
 void PathTracer::select_side(VkCommandBuffer commands, std::span<const PictureSide> sides,
                              size_t side, uint32_t path, uint32_t paths) {
     const PictureSide& chosen = sides[side];
@@ -158,9 +163,7 @@ void PathTracer::select_side(VkCommandBuffer commands, std::span<const PictureSi
 
 void PathTracer::record_direction_map(gpu::FrameCommands& commands,
                                       std::span<const PictureSide> sides, uint32_t paths) {
-    // The crosshair looks at one side.
-    const uint32_t column = shader::crosshair_pixel(size_).x;
-    const size_t side = sides.size() > 1 && column >= sides[1].first_column ? 1 : 0;
+    const size_t side = crosshair_side(sides, size_);
     Pipelines& made = pipelines(sides[side].variant);
     if (!made.direction_map)
         made.direction_map =
@@ -172,14 +175,6 @@ void PathTracer::record_direction_map(gpu::FrameCommands& commands,
     made.direction_map.bind(buffer);
     constexpr uint32_t groups = shader::DIRECTION_MAP_EDGE / 8;
     vkCmdDispatch(buffer, groups, groups, 1);
-}
-
-void PathTracer::record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
-                        const shader::FrameParams& params, uint32_t paths, bool samples_lights,
-                        VkDescriptorSet guiding) {
-    const PictureSide whole{variant, samples_lights && variant.features.lights, false, guiding, 0,
-                            size_.x};
-    record(commands, std::span(&whole, 1), params, paths);
 }
 
 void PathTracer::record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,

@@ -35,6 +35,9 @@ struct PictureSide {
     uint32_t end_column = 0; ///< the one after its last; a side may have none
 };
 
+/// Index of the side that the crosshair looks at.
+size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_size);
+
 /// The features as constants of shaders: the ids of trace/trace.glsl and pathtrace/frame.glsl.
 std::vector<gpu::Specialization> specialization(const SceneFeatures& features);
 
@@ -59,10 +62,6 @@ public:
     /// rays, means and exposure are the whole picture's; the features of all sides are the same.
     void record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
                 const shader::FrameParams& params, uint32_t paths);
-    /// The whole picture by one technique. `guiding` is set 2.
-    void record(gpu::FrameCommands& commands, const PathTracerVariant& variant,
-                const shader::FrameParams& params, uint32_t paths, bool samples_lights,
-                VkDescriptorSet guiding);
 
     glm::uvec2 size() const { return size_; }
     const gpu::Buffer& display() const { return display_; }

@@ -315,9 +315,9 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
 }
 
 void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides) {
-    shown_.right =
-        sides.size() > 1 && shader::crosshair_pixel(path_tracer_.size()).x >= sides[1].first_column;
-    const PictureSide& side = sides[shown_.right ? 1 : 0];
+    const size_t shown = crosshair_side(sides, path_tracer_.size());
+    shown_.right = shown == 1;
+    const PictureSide& side = sides[shown];
     shown_.guided = side.guided;
     shown_.bucket_size = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
     shown_.cdq_bits = side.variant.cdq_bits;
