@@ -17,14 +17,12 @@ import json
 import sys
 from pathlib import Path
 
-import flip_evaluator
 import numpy
-import OpenEXR
 from matplotlib import pyplot
-from scipy import stats
 
 import adapt
 import drawing
+import pictures
 import quality
 import ring
 import scale
@@ -47,30 +45,6 @@ table{border-collapse:collapse;margin:1em 0}th,td{padding:.25em .7em;text-align:
 figure{display:inline-block;margin:.4em;vertical-align:top}figcaption{font-size:13px}img{max-width:100%}
 .views img{width:20em;image-rendering:pixelated}code{background:#eee}"""
 
-def mean_interval(strata):
-    """Mean of the views' means over [view][seed] and its 95% interval about other seeds, as docs/quality.md has it: Student's t
-    with the degrees of freedom of Welch and Satterthwaite."""
-    views = [numpy.asarray(view, dtype=float) for view in strata]
-    mean = float(numpy.mean([view.mean() for view in views]))
-    if any(len(view) < 2 for view in views):
-        return {"value": mean, "low": None, "high": None}
-    parts = [view.var(ddof=1) / len(view) / len(views) ** 2 for view in views]
-    variance = sum(parts)
-    if variance == 0:
-        return {"value": mean, "low": mean, "high": mean}
-    freedom = variance**2 / sum(part**2 / (len(view) - 1) for part, view in zip(parts, views))
-    half = stats.t.ppf(0.975, freedom) * variance**0.5
-    return {"value": mean, "low": mean - half, "high": mean + half}
-
-
-def load(path):
-    with OpenEXR.File(str(path)) as file:
-        channels = file.channels()
-        if "RGB" in channels:
-            return numpy.ascontiguousarray(channels["RGB"].pixels, dtype=numpy.float32)
-        return numpy.stack([channels[name].pixels for name in "RGB"], axis=-1).astype(numpy.float32)
-
-
 def image_tag(pixels, title):
     """A picture of values in [0, 1] inside the page."""
     buffer = io.BytesIO()
@@ -79,48 +53,17 @@ def image_tag(pixels, title):
     return f'<figure><img alt="{html.escape(title)}" src="data:image/png;base64,{data}"><figcaption>{html.escape(title)}</figcaption></figure>'
 
 
-def displayed(radiance, exposure):
-    """Linear radiance as it is shown: x / (1 + x), in sRGB."""
-    value = radiance * exposure
-    value = value / (1.0 + value)
-    return numpy.where(value <= 0.0031308, 12.92 * value, 1.055 * value ** (1 / 2.4) - 0.055)
-
-
-def flip(reference, picture):
-    """Map of the difference in colours, and its mean."""
-    colours, mean, _ = flip_evaluator.evaluate(reference, picture, "HDR")
-    return colours, mean
-
-
-def views_of(part):
-    """FLIP of all runs of a part by row, [view][seed], and the HTML of the pictures."""
-    by_row = {row["label"]: [] for row in part["rows"]}
+def picture_tags(views):
+    """The HTML of the pictures of a part: of every row that of the first seed, and its map of FLIP."""
     parts = []
-    for view in part["views"]:
-        folder = Path(view["pictures"])
-        reference = load(folder / "reference.exr")
-        exposure = 0.5 / max(float(numpy.median(reference.mean(axis=-1))), 1e-6)
-        shown = [image_tag(displayed(reference, exposure), f"reference, {view['reference']['paths']} paths")]
-        maps = []
-        for label, found in by_row.items():
-            found.append([])
-            for seed in range(1, part["seeds"] + 1):
-                picture = load(folder / f"{label.replace('/', '_')}_{seed}.exr")
-                colours, mean = flip(reference, picture)
-                found[-1].append(mean)
-                if seed == 1:
-                    shown.append(image_tag(displayed(picture, exposure), label))
-                    maps.append(image_tag(colours, f"{label}: FLIP {mean:.3f}"))
-        parts.append(f'<h3>{html.escape(view["name"])}</h3><div class="views">{"".join(shown)}</div>'
+    for view in views:
+        first = {label: runs[0] for label, runs in view.runs.items()}
+        shown = [image_tag(view.displayed(view.reference), f"reference, {view.paths} paths")]
+        shown += [image_tag(view.displayed(run.radiance), label) for label, run in first.items()]
+        maps = [image_tag(run.flip_map, f"{label}: FLIP {run.flip:.3f}") for label, run in first.items()]
+        parts.append(f'<h3>{html.escape(view.name)}</h3><div class="views">{"".join(shown)}</div>'
                      f'<div class="views">{"".join(maps)}</div>')
-    return by_row, "".join(parts)
-
-
-def flip_table(flips):
-    """Mean FLIP by row as HTML."""
-    cells = "".join(f"<tr><td>{html.escape(label)}</td><td>{tables.plain(mean_interval(values))}</td></tr>"
-                    for label, values in flips.items())
-    return f"<table><tr><th></th><th>mean FLIP</th></tr>{cells}</table>"
+    return "".join(parts)
 
 
 def table(head, lines):
@@ -148,11 +91,10 @@ def section(title, report, plots):
     parts = [f"<h2>{title}</h2><p><code>run bench {report['measured']}</code>. {html.escape(measured_on(report))}</p>"]
     parts += [figure_tag(name, figure) for name, figure in plots.draw(report)]
     parts += [table(head, lines) for head, lines in tables.KINDS[report["measured"]](report)]
-    if report["measured"] == "quality":
-        for part in report["parts"]:
-            if all("pictures" in view for view in part["views"]):
-                flips, pictures = views_of(part)
-                parts.append(f"<h3>{html.escape(part['part'])}: pictures</h3>{flip_table(flips)}{pictures}")
+    seen = pictures.of_report(report)
+    if seen:
+        parts.append(table(*pictures.flip_table(seen)))
+    parts += [f"<h3>{html.escape(name)}</h3>{picture_tags(views)}" for name, views in seen.items()]
     return "".join(parts)
 
 
@@ -177,6 +119,13 @@ def write_summary(found, target):
         lines += [f"![{figure_name}]({figure_name}.png)" for figure_name, _ in figures]
         lines += ["", tables.markdown(report)]
         drawing.save(figures, target)
+        seen = pictures.of_report(report)
+        if seen:
+            lines += ["", tables.markdown_table(*pictures.flip_table(seen))]
+        for part, views in seen.items():
+            lines += ["", f"{part}, {views[0].name}: the middle of the reference ({views[0].paths} paths) and of one frame of each row; below, where "
+                      f"a person would see the difference (FLIP).", "", f"![{part}](pictures_{part}.png)"]
+            pictures.save_strip(views[0], target / f"pictures_{part}.png")
         (target / f"{name}.json").write_text(json.dumps(slim(report), separators=(",", ":")) + "\n")
     (target / "README.md").write_text("\n".join(lines) + "\n")
 

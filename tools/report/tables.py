@@ -121,13 +121,14 @@ def trade(report):
 KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade)}
 
 
+def markdown_table(head, lines):
+    rows = [head, ["---"] * len(head), *lines]
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in rows)
+
+
 def markdown(report):
     """All tables of a report."""
-    text = []
-    for head, lines in KINDS[report["measured"]](report):
-        rows = [head, ["---"] * len(head), *lines]
-        text.append("\n".join("| " + " | ".join(cells) + " |" for cells in rows))
-    return "\n\n".join(text)
+    return "\n\n".join(markdown_table(head, lines) for head, lines in KINDS[report["measured"]](report))
 
 
 def main(paths):

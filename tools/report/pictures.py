@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of `run bench quality --pictures`, and where they differ from the reference as a person would see it: FLIP for high
+dynamic range (Andersson et al. 2021)."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import flip_evaluator
+import numpy
+import OpenEXR
+from PIL import Image
+from scipy import stats
+
+import tables
+
+
+@dataclass
+class Run:
+    """One frame of a row: linear radiance, the map of FLIP in colours, and its mean."""
+
+    radiance: numpy.ndarray
+    flip_map: numpy.ndarray
+    flip: float
+
+
+@dataclass
+class View:
+    """What one place looks like: the reference, and the runs of each row, by seed."""
+
+    name: str
+    paths: int
+    reference: numpy.ndarray
+    runs: dict = field(default_factory=dict)
+
+    def displayed(self, radiance):
+        """Linear radiance as it is shown: x / (1 + x) at the exposure of the reference, in sRGB."""
+        value = radiance * (0.5 / max(float(numpy.median(self.reference.mean(axis=-1))), 1e-6))
+        value = value / (1.0 + value)
+        return numpy.where(value <= 0.0031308, 12.92 * value, 1.055 * value ** (1 / 2.4) - 0.055)
+
+
+def load(path):
+    with OpenEXR.File(str(path)) as file:
+        channels = file.channels()
+        if "RGB" in channels:
+            return numpy.ascontiguousarray(channels["RGB"].pixels, dtype=numpy.float32)
+        return numpy.stack([channels[name].pixels for name in "RGB"], axis=-1).astype(numpy.float32)
+
+
+def run_of(reference, path):
+    radiance = load(path)
+    flip_map, flip, _ = flip_evaluator.evaluate(reference, radiance, "HDR")
+    return Run(radiance, flip_map, flip)
+
+
+def view_of(part, view):
+    folder = Path(view["pictures"])
+    found = View(view["name"], view["reference"]["paths"], load(folder / "reference.exr"))
+    for row in part["rows"]:
+        name = row["label"].replace("/", "_")
+        found.runs[row["label"]] = [run_of(found.reference, folder / f"{name}_{seed}.exr") for seed in range(1, part["seeds"] + 1)]
+    return found
+
+
+def of_report(report):
+    """Views by part, of the parts that have pictures. Raises OSError where the files are gone."""
+    return {part["part"]: [view_of(part, view) for view in part["views"]]
+            for part in report["parts"] if part.get("views") and all("pictures" in view for view in part["views"])}
+
+
+def mean_interval(strata):
+    """Mean of the views' means over [view][seed] and its 95% interval about other seeds, as docs/quality.md has it: Student's t
+    with the degrees of freedom of Welch and Satterthwaite."""
+    views = [numpy.asarray(view, dtype=float) for view in strata]
+    mean = float(numpy.mean([view.mean() for view in views]))
+    if any(len(view) < 2 for view in views):
+        return {"value": mean, "low": None, "high": None}
+    parts = [view.var(ddof=1) / len(view) / len(views) ** 2 for view in views]
+    variance = sum(parts)
+    if variance == 0:
+        return {"value": mean, "low": mean, "high": mean}
+    freedom = variance**2 / sum(part**2 / (len(view) - 1) for part, view in zip(parts, views))
+    half = stats.t.ppf(0.975, freedom) * variance**0.5
+    return {"value": mean, "low": mean - half, "high": mean + half}
+
+
+def flip_table(seen):
+    """Mean FLIP of single frames: parts down, rows across."""
+    labels = list(next(iter(seen.values()))[0].runs)
+    lines = []
+    for part, views in seen.items():
+        flips = {label: [[run.flip for run in view.runs[label]] for view in views] for label in views[0].runs}
+        lines.append([part, *(tables.plain(mean_interval(flips[label])) if label in flips else "" for label in labels)])
+    return ["Mean FLIP", *labels], lines
+
+
+def middle(pixels):
+    height, width = pixels.shape[:2]
+    return pixels[height // 4 : height - height // 4, width // 4 : width - width // 4]
+
+
+def save_strip(view, path):
+    """The middle of the reference and of the first run of each row side by side, their maps of FLIP below; 256 colours."""
+    runs = [runs[0] for runs in view.runs.values()]
+    blank = numpy.ones_like(view.reference)
+    above = [view.displayed(picture) for picture in (view.reference, *(run.radiance for run in runs))]
+    below = [blank, *(run.flip_map for run in runs)]
+    pixels = numpy.vstack([numpy.hstack([middle(picture) for picture in row]) for row in (above, below)])
+    Image.fromarray((numpy.clip(pixels, 0.0, 1.0) * 255.0 + 0.5).astype(numpy.uint8)).quantize(256).save(path, optimize=True)
+    print(path)
