@@ -125,9 +125,18 @@ def write_summary(found, target):
         for part, views in seen.items():
             lines += ["", f"{part}, {views[0].name}: the middle of the reference ({views[0].paths} paths) and of one frame of each row; below, where "
                       f"a person would see the difference (FLIP).", "", f"![{part}](pictures_{part}.png)"]
-            pictures.save_strip(views[0], target / f"pictures_{part}.png")
+            pictures.save_sheet(views[0], target / f"pictures_{part}.png")
         (target / f"{name}.json").write_text(json.dumps(slim(report), separators=(",", ":")) + "\n")
     (target / "README.md").write_text("\n".join(lines) + "\n")
+    print(f"wrote {target / 'README.md'}")
+
+
+def write_page(found, target):
+    body = "".join(section(title, report, plots) for _, title, plots, report in found)
+    text = (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Vigil: measurements</title><style>{STYLE}</style>'
+            f"<h1>Vigil: measurements</h1><p>Ratios are over the baseline of their part, with 95% intervals.</p>{body}</html>\n")
+    target.write_text(text)
+    print(f"wrote {target} ({len(text) / 1e6:.1f} MB)")
 
 
 def main():
@@ -145,19 +154,13 @@ def main():
                 sys.exit(str(fault))
     if not found:
         sys.exit(f"{arguments.folder}: no reports of `run bench` ({', '.join(name for name, _, _ in SECTIONS)})")
-    if arguments.summary:
-        write_summary(found, arguments.summary)
-        print(f"wrote {arguments.summary / 'README.md'}")
-        return
     try:
-        body = "".join(section(title, report, plots) for _, title, plots, report in found)
+        if arguments.summary:
+            write_summary(found, arguments.summary)
+        else:
+            write_page(found, arguments.folder / "report.html")
     except (OSError, KeyError) as fault:
         sys.exit(f"{arguments.folder}: {fault}")
-    text = (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Vigil: measurements</title><style>{STYLE}</style>'
-            f"<h1>Vigil: measurements</h1><p>Ratios are over the baseline of their part, with 95% intervals.</p>{body}</html>\n")
-    target = arguments.folder / "report.html"
-    target.write_text(text)
-    print(f"wrote {target} ({len(text) / 1e6:.1f} MB)")
 
 
 if __name__ == "__main__":

@@ -2,13 +2,16 @@
 """Pictures of `run bench quality --pictures`, and where they differ from the reference as a person would see it: FLIP for high
 dynamic range (Andersson et al. 2021)."""
 
+import os
+import sys
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import flip_evaluator
 import numpy
 import OpenEXR
-from PIL import Image
+from PIL import Image, ImageDraw
 from scipy import stats
 
 import tables
@@ -40,32 +43,48 @@ class View:
 
 
 def load(path):
-    with OpenEXR.File(str(path)) as file:
+    """Linear radiance. Raises OSError that names the file."""
+    try:
+        file = OpenEXR.File(str(path))
+    except RuntimeError as fault:
+        raise OSError(f"{path}: no EXR picture that can be read") from fault
+    with file:
         channels = file.channels()
         if "RGB" in channels:
             return numpy.ascontiguousarray(channels["RGB"].pixels, dtype=numpy.float32)
         return numpy.stack([channels[name].pixels for name in "RGB"], axis=-1).astype(numpy.float32)
 
 
-def run_of(reference, path):
-    radiance = load(path)
-    flip_map, flip, _ = flip_evaluator.evaluate(reference, radiance, "HDR")
+def compare(reference, picture):
+    """The run whose picture is at a path, against the reference at another."""
+    radiance = load(picture)
+    flip_map, flip, _ = flip_evaluator.evaluate(load(reference), radiance, "HDR")
     return Run(radiance, flip_map, flip)
 
 
-def view_of(part, view):
+def view_of(part, view, pool):
+    """Whose runs are still being compared."""
     folder = Path(view["pictures"])
     found = View(view["name"], view["reference"]["paths"], load(folder / "reference.exr"))
     for row in part["rows"]:
         name = row["label"].replace("/", "_")
-        found.runs[row["label"]] = [run_of(found.reference, folder / f"{name}_{seed}.exr") for seed in range(1, part["seeds"] + 1)]
+        found.runs[row["label"]] = [pool.submit(compare, folder / "reference.exr", folder / f"{name}_{seed}.exr")
+                                    for seed in range(1, part["seeds"] + 1)]
     return found
 
 
 def of_report(report):
-    """Views by part, of the parts that have pictures. Raises OSError where the files are gone."""
-    return {part["part"]: [view_of(part, view) for view in part["views"]]
-            for part in report["parts"] if part.get("views") and all("pictures" in view for view in part["views"])}
+    """Views by part, of the parts that have pictures; FLIP takes a second for each. Raises OSError where the files are gone."""
+    with ProcessPoolExecutor(os.cpu_count()) as pool:
+        seen = {part["part"]: [view_of(part, view, pool) for view in part["views"]]
+                for part in report["parts"] if part.get("views") and all("pictures" in view for view in part["views"])}
+        jobs = [(runs, seed) for views in seen.values() for view in views for runs in view.runs.values() for seed in range(len(runs))]
+        for done, (runs, seed) in enumerate(jobs):
+            print(f"\rFLIP, {done + 1} of {len(jobs)}", end="", file=sys.stderr)
+            runs[seed] = runs[seed].result()
+    if jobs:
+        print(file=sys.stderr)
+    return seen
 
 
 def mean_interval(strata):
@@ -99,12 +118,19 @@ def middle(pixels):
     return pixels[height // 4 : height - height // 4, width // 4 : width - width // 4]
 
 
-def save_strip(view, path):
-    """The middle of the reference and of the first run of each row side by side, their maps of FLIP below; 256 colours."""
-    runs = [runs[0] for runs in view.runs.values()]
-    blank = numpy.ones_like(view.reference)
-    above = [view.displayed(picture) for picture in (view.reference, *(run.radiance for run in runs))]
-    below = [blank, *(run.flip_map for run in runs)]
-    pixels = numpy.vstack([numpy.hstack([middle(picture) for picture in row]) for row in (above, below)])
-    Image.fromarray((numpy.clip(pixels, 0.0, 1.0) * 255.0 + 0.5).astype(numpy.uint8)).quantize(256).save(path, optimize=True)
+def save_sheet(view, path):
+    """The middle of the reference and of the first run of each row, their maps of FLIP below, with names; 256 colours."""
+    columns, line, gap = 5, 14, 4
+    tiles = [("reference", view.reference, numpy.ones_like(view.reference))]
+    tiles += [(label, runs[0].radiance, runs[0].flip_map) for label, runs in view.runs.items()]
+    height, width = middle(view.reference).shape[:2]
+    step = line + 2 * height + gap
+    sheet = Image.new("RGB", (columns * (width + gap), -(-len(tiles) // columns) * step), "white")
+    for i, (label, radiance, flip_map) in enumerate(tiles):
+        x, y = i % columns * (width + gap), i // columns * step
+        ImageDraw.Draw(sheet).text((x + 2, y + 1), label, "black")
+        for row, pixels in enumerate((view.displayed(radiance), flip_map)):
+            tile = numpy.clip(middle(pixels), 0.0, 1.0) * 255.0 + 0.5
+            sheet.paste(Image.fromarray(tile.astype(numpy.uint8)), (x, y + line + row * height))
+    sheet.quantize(256).save(path, optimize=True)
     print(path)
