@@ -122,7 +122,7 @@ Plan scale_plan(std::span<const std::string> arguments) {
     options.levels = {"warehouse"}; // of resolutions and triangles
     options.rows = rows_of({"sll", "lh", "ris", "vlc"});
     options.views = 2;
-    options.seeds = 2;
+    options.seeds = 3; // six pairs: as many as an interval of times takes
     options.reference_paths = 256;
     QualityOptions small = quick(options);
     small.views = 1;
@@ -142,12 +142,13 @@ Plan scale_plan(std::span<const std::string> arguments) {
             if (is_quick && height > 180) continue;
             Part& part = add(level, "resolution", height);
             part.options.size = {height * 16 / 9, height};
-            // The work of all sizes is to be alike, as far as can be: what large pictures have more
-            // of pixels they need less of repeats.
-            if (height < 720) continue;
-            part.options.views = 1;
-            part.options.warmup = std::min(part.options.warmup, 8);
-            part.options.reference_paths = 64;
+            // All sizes see the same place after as many frames. What large pictures have more of
+            // pixels they need less of repeats.
+            if (!is_named(arguments, "--views")) part.options.views = 1;
+            if (!is_named(arguments, "--seeds") && !is_quick)
+                part.options.seeds = height < 720 ? 6 : 2;
+            if (height >= 720)
+                part.options.reference_paths = std::min(part.options.reference_paths, 64);
         }
         for (const int halvings : {0, 1, 2}) {
             if (is_quick && halvings == 1) continue;

@@ -83,6 +83,21 @@ TEST(Plan, QuadtreesGetTheFramesTheyNeedWhereTheyLearnLate) {
     EXPECT_LT(warmups({"--quick", "--level", "mine"})["mine pt_cdq_bits"], 64);
 }
 
+TEST(Plan, ResolutionsSeeTheSamePlaceAfterAsManyFrames) {
+    for (const Words& words : {Words{}, Words{"--views", "3", "--seeds", "5"}}) {
+        Plan plan = scale_plan(words);
+        std::erase_if(plan.parts, [](const Part& part) { return part.axis != "resolution"; });
+        ASSERT_EQ(plan.parts.size(), 5U);
+        for (const Part& part : plan.parts) {
+            EXPECT_EQ(part.options.views, plan.parts[0].options.views) << part.name;
+            EXPECT_EQ(part.options.warmup, plan.parts[0].options.warmup) << part.name;
+            if (!words.empty()) {
+                EXPECT_EQ(part.options.seeds, 5) << part.name;
+            }
+        }
+    }
+}
+
 TEST(Plan, TheDefaultIsAmongWhatIsTried) {
     // Each sweep has the row of its technique, whose variables are at their defaults.
     for (const Part& part : trade_plan({}).parts) {
