@@ -14,7 +14,7 @@ def draw_preparation(axes, row):
     axes.stackplot(frames, list(passes.values()), labels=list(passes))
     axes.set_title(f"preparation, {row['label']}", fontsize=10)
     axes.set_ylabel("ms")
-    axes.legend(fontsize=7, loc="upper left")
+    axes.legend(fontsize=7, loc="lower right", framealpha=0.9)
 
 
 def draw_paths(axes, rows):
