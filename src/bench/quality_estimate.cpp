@@ -153,6 +153,12 @@ double median(std::vector<double> values) {
     return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
+bool misses_light(const Strata& mean_ratio) {
+    return std::ranges::any_of(mean_ratio, [](const std::vector<double>& view) {
+        return mean_interval({view}).high < 1.0 - missing_share;
+    });
+}
+
 double relative_floor(const Reference& reference) {
     const double tenth = 0.1 * reference.picture_mean();
     return tenth * tenth;

@@ -51,6 +51,14 @@ Interval widened(const Interval& interval, double standard_error);
 
 double median(std::vector<double> values);
 
+/// Share of the reference's light that frames may lack before their errors say too little.
+inline constexpr double missing_share = 0.05;
+
+/// Whether the frames of some view hold less light than the reference, by more than missing_share
+/// and than chance explains: `mean_ratio` is PictureError's. What they lack comes in few, bright
+/// frames that no seed met, and how much those add to the mean error these frames cannot tell.
+bool misses_light(const Strata& mean_ratio);
+
 /// Of the pixels, largest errors that trimmed_mse leaves out: fireflies.
 inline constexpr double trimmed_share = 0.001;
 

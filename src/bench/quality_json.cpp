@@ -89,10 +89,11 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
             json[name]["by_view_and_seed"] = row.*member;
         };
         const auto add_error = [&](const std::string& name, Strata RowResult::*member) {
-            add(name, member);
-            json[name]["ratio"] = to_json(ratio_interval(row.*member, baseline->*member));
+            json[name] = to_json(error_interval(row, member));
+            json[name]["by_view_and_seed"] = row.*member;
+            json[name]["ratio"] = to_json(error_ratio(row, *baseline, member));
             json[name]["ratio_over_views"] =
-                to_json(ratio_over_views(row.*member, baseline->*member));
+                to_json(error_ratio_over_views(row, *baseline, member));
         };
         add_error("mse", &RowResult::mse);
         add_error("trimmed_mse", &RowResult::trimmed_mse);
@@ -103,6 +104,7 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         }
         add_error("relative_mse", &RowResult::relative_mse);
         add("mean_ratio", &RowResult::mean_ratio);
+        json["misses_light"] = misses_light(row.mean_ratio);
         add("unlit", &RowResult::unlit);
         add("explored", &RowResult::explored);
         add("path_ms", &RowResult::path_ms);

@@ -66,6 +66,13 @@ struct CurveResult {
 /// The settled error of a curve and the frame where it is reached.
 Settled settled_of(const std::vector<Strata>& curve);
 
+/// A row's error, one of the Strata above, and its ratios to the baseline's: mean_interval,
+/// ratio_interval and ratio_over_views, without bounds where a row misses light (misses_light).
+Interval error_interval(const RowResult& row, Strata RowResult::*error);
+Interval error_ratio(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
+Interval error_ratio_over_views(const RowResult& row, const RowResult& baseline,
+                                Strata RowResult::*error);
+
 /// The ratio of errors when both rows may take as long: variance falls with the number of samples,
 /// so it is that at equal samples times that of the frames' times.
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace vigil::bench {
 
@@ -69,6 +70,12 @@ std::string views_text(const std::vector<ViewResult>& views) {
     return text;
 }
 
+/// The same, whose bounds are not known where the data do not give them.
+Interval bounded_if(bool known, const Interval& interval) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return known ? interval : Interval{interval.value, unknown, unknown};
+}
+
 /// One table of errors: values, ratios to the baseline, and the reference's share.
 std::string error_table(const QualityOptions& options, const LevelResult& result,
                         Strata RowResult::*member, const char* name,
@@ -78,9 +85,9 @@ std::string error_table(const QualityOptions& options, const LevelResult& result
                                    "  row", name, "95%", "/ " + options.baseline, "95% these views",
                                    "by view", "95% other views", "reference");
     for (const RowResult& row : result.rows) {
-        const Interval value = mean_interval(row.*member);
-        const Interval ratio = ratio_interval(row.*member, baseline.*member);
-        const Interval over = ratio_over_views(row.*member, baseline.*member);
+        const Interval value = error_interval(row, member);
+        const Interval ratio = error_ratio(row, baseline, member);
+        const Interval over = error_ratio_over_views(row, baseline, member);
         text += fmt::format("  {:<12}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n",
                             row.row.label, number(value.value), range(value), number(ratio.value),
                             range(ratio), number(over.value), range(over),
@@ -98,14 +105,29 @@ std::string ratios_by_view(const QualityOptions& options, const LevelResult& res
         for (const RowResult& row : result.rows) {
             text += fmt::format("  {:<12}", row.row.label);
             for (std::size_t view = 0; view < result.views.size(); ++view) {
-                const Interval ratio =
-                    ratio_interval({(row.*member)[view]}, {(baseline.*member)[view]});
+                const bool known = !misses_light({row.mean_ratio[view]}) &&
+                                   !misses_light({baseline.mean_ratio[view]});
+                const Interval ratio = bounded_if(
+                    known, ratio_interval({(row.*member)[view]}, {(baseline.*member)[view]}));
                 text += fmt::format("{:>8}  {:<18}", number(ratio.value), range(ratio));
             }
             text += '\n';
         }
     }
     return text;
+}
+
+/// Why rows have no intervals, if some have none.
+std::string light_warning(const LevelResult& result) {
+    std::string names;
+    for (const RowResult& row : result.rows)
+        if (misses_light(row.mean_ratio))
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", row.row.label);
+    if (names.empty()) return {};
+    return fmt::format(
+        "  {}: at some place these frames miss light of the reference, which comes in "
+        "few, bright frames: no intervals\n",
+        names);
 }
 
 std::string sample_table(const LevelResult& result) {
@@ -210,7 +232,24 @@ std::string heading(const QualityOptions& options, const std::string& level,
                        views.front().technique);
 }
 
+bool comparable(const RowResult& row, const RowResult& baseline) {
+    return !misses_light(row.mean_ratio) && !misses_light(baseline.mean_ratio);
+}
+
 } // namespace
+
+Interval error_interval(const RowResult& row, Strata RowResult::*error) {
+    return bounded_if(!misses_light(row.mean_ratio), mean_interval(row.*error));
+}
+
+Interval error_ratio(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
+    return bounded_if(comparable(row, baseline), ratio_interval(row.*error, baseline.*error));
+}
+
+Interval error_ratio_over_views(const RowResult& row, const RowResult& baseline,
+                                Strata RowResult::*error) {
+    return bounded_if(comparable(row, baseline), ratio_over_views(row.*error, baseline.*error));
+}
 
 Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row) {
     Strata floors;
@@ -222,11 +261,12 @@ Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& r
         squared_error += floor.error * floor.error;
     }
     const double share = std::sqrt(squared_error) / variance;
-    return product(ratio_interval(floors, row.mse), widened({1.0, 1.0, 1.0}, share));
+    return bounded_if(!misses_light(row.mean_ratio),
+                      product(ratio_interval(floors, row.mse), widened({1.0, 1.0, 1.0}, share)));
 }
 
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
-    return product(ratio_interval(row.*error, baseline.*error),
+    return product(error_ratio(row, baseline, error),
                    median_ratio(row.frame_ms, baseline.frame_ms));
 }
 
@@ -255,6 +295,7 @@ std::string quality_text(const QualityOptions& options, const LevelResult& resul
             options, result, &RowResult::bright_mse, "bright",
             [](const RowResult& row) { return mean_interval(row.bright_variance).value; });
     }
+    text += light_warning(result);
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
             time_table(options, result) + '\n' + equal_time_table(options, result);
     if (options.floor) text += '\n' + floor_table(result);

@@ -178,6 +178,37 @@ TEST(Widened, AddsIndependentErrors) {
     EXPECT_NEAR(wider.high, 15.0, 1e-6);
 }
 
+TEST(MissesLight, WhereAViewLacksMoreThanChanceExplains) {
+    const std::vector<double> complete = {1.01, 0.98, 1.02, 0.99};
+    EXPECT_FALSE(misses_light({complete, {0.97, 0.98, 0.97, 0.98}})); // lacks little
+    EXPECT_TRUE(misses_light({complete, {0.51, 0.5, 0.52, 0.5}}));
+    EXPECT_FALSE(misses_light({complete, {0.5, 0.5, 3.0, 0.5}})); // one frame met it
+    EXPECT_FALSE(misses_light({{0.5}, {0.5}}));                   // one seed says nothing
+}
+
+TEST(MissesLight, TellsIntervalsThatWouldBeFarTooNarrow) {
+    // One frame in 50 meets light that makes half of the mean, and all of the error.
+    Random random(11);
+    constexpr double share = 0.02;
+    std::bernoulli_distribution meets(share);
+    const double truth = 0.25 / share;
+    int narrow = 0, told = 0;
+    for (int experiment = 0; experiment < 2000; ++experiment) {
+        Strata mean_ratio(4), mse(4);
+        for (int view = 0; view < 4; ++view)
+            for (int seed = 0; seed < 4; ++seed) {
+                const bool met = meets(random);
+                mean_ratio[view].push_back(normal(random, met ? 0.5 + 0.5 / share : 0.5, 0.01));
+                mse[view].push_back(normal(random, met ? 0.25 / (share * share) : 0.01, 0.001));
+            }
+        if (mean_interval(mse).high > truth) continue;
+        ++narrow;
+        told += misses_light(mean_ratio) ? 1 : 0;
+    }
+    EXPECT_GT(narrow, 1000);
+    EXPECT_EQ(told, narrow);
+}
+
 TEST(PictureErrors, PlantedErrorIsFoundDespiteANoisyReference) {
     // The reference's own variance is half of the error that was planted; without taking it off,
     // the result would be 50% too large.

@@ -75,9 +75,11 @@ def view_of(part, view, pool):
 
 def of_report(report):
     """Views by part, of the parts that have pictures; FLIP takes a second for each. Raises OSError where the files are gone."""
+    if report["measured"] != "quality":
+        return {}
     with ProcessPoolExecutor(os.cpu_count()) as pool:
         seen = {part["part"]: [view_of(part, view, pool) for view in part["views"]]
-                for part in report["parts"] if part.get("views") and all("pictures" in view for view in part["views"])}
+                for part in report["parts"] if all("pictures" in view for view in part["views"])}
         jobs = [(runs, seed) for views in seen.values() for view in views for runs in view.runs.values() for seed in range(len(runs))]
         for done, (runs, seed) in enumerate(jobs):
             print(f"\rFLIP, {done + 1} of {len(jobs)}", end="", file=sys.stderr)
