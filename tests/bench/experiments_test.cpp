@@ -63,6 +63,12 @@ protected:
         return report;
     }
 
+    /// Runs Python; what it prints goes to python.txt.
+    int python(std::vector<std::string> words) const {
+        words.insert(words.begin(), "python3");
+        return test::Process(words, file("python.txt").string()).wait();
+    }
+
     test::ScratchFolder folder_;
 };
 
@@ -129,6 +135,31 @@ TEST_F(Experiments, TradeGoesOnAfterAnInterruption) {
     // Finished: --keep leaves it as it is.
     EXPECT_EQ(run("trade", {"--keep", some[0], some[1]}), 0);
     EXPECT_EQ(report_of("trade"), report);
+}
+
+TEST_F(Experiments, ThePageHasTablesPlotsAndPictures) {
+    const std::string page = VIGIL_SOURCE_DIR "/tools/report/page.py";
+    if (python({"-c", "import flip_evaluator, matplotlib, numpy, OpenEXR, PIL, scipy"}) != 0)
+        GTEST_SKIP() << "the packages of tools/report/requirements.txt are missing";
+    measure("quality", {"--pictures", file("pictures").string()});
+    measure("adapt", {"--frames", "12"});
+    measure("timing");
+    measure("trade", {"--part", "warehouse pt_vlc_bucket"});
+    EXPECT_EQ(python({page, folder_.path().string()}), 0) << text_of("python.txt");
+    EXPECT_GT(std::filesystem::file_size(file("report.html")), 100000u);
+    EXPECT_EQ(python({page, folder_.path().string(), "--summary", file("summary").string()}), 0)
+        << text_of("python.txt");
+    // Every picture that the text shows is there.
+    const std::string text = text_of("summary/README.md");
+    int pictures = 0;
+    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+        const std::string name = text.substr(at + 2, text.find(')', at) - at - 2);
+        if (!name.ends_with(".png")) continue;
+        EXPECT_TRUE(std::filesystem::exists(file("summary") / name)) << name;
+        ++pictures;
+    }
+    EXPECT_GE(pictures, 5); // the plots of each, and the pictures of quality
+    EXPECT_NE(text.find("Mean FLIP"), std::string::npos);
 }
 
 } // namespace vigil::bench
