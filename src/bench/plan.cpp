@@ -144,11 +144,13 @@ Plan scale_plan(std::span<const std::string> arguments) {
             part.options.size = {height * 16 / 9, height};
             // All sizes see the same place after as many frames. What large pictures have more of
             // pixels they need less of repeats.
-            if (!is_named(arguments, "--views")) part.options.views = 1;
-            if (!is_named(arguments, "--seeds") && !is_quick)
-                part.options.seeds = height < 720 ? 6 : 2;
+            const auto unless_named = [&](std::string_view option, int& value, int usual) {
+                if (!is_quick && !is_named(arguments, option)) value = usual;
+            };
+            unless_named("--views", part.options.views, 1);
+            unless_named("--seeds", part.options.seeds, height < 720 ? 6 : 2);
             if (height >= 720)
-                part.options.reference_paths = std::min(part.options.reference_paths, 64);
+                unless_named("--reference-paths", part.options.reference_paths, 64);
         }
         for (const int halvings : {0, 1, 2}) {
             if (is_quick && halvings == 1) continue;

@@ -84,13 +84,16 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
     ordered_json rows = ordered_json::array();
     for (const RowResult& row : result.rows) {
         ordered_json json = to_json(row.row);
-        const auto add = [&](const std::string& name, Strata RowResult::*member) {
-            json[name] = to_json(mean_interval(row.*member));
+        const auto put = [&](const std::string& name, Strata RowResult::*member,
+                             const Interval& interval) {
+            json[name] = to_json(interval);
             json[name]["by_view_and_seed"] = row.*member;
         };
+        const auto add = [&](const std::string& name, Strata RowResult::*member) {
+            put(name, member, mean_interval(row.*member));
+        };
         const auto add_error = [&](const std::string& name, Strata RowResult::*member) {
-            json[name] = to_json(error_interval(row, member));
-            json[name]["by_view_and_seed"] = row.*member;
+            put(name, member, error_interval(row, member));
             json[name]["ratio"] = to_json(error_ratio(row, *baseline, member));
             json[name]["ratio_over_views"] =
                 to_json(error_ratio_over_views(row, *baseline, member));

@@ -67,7 +67,8 @@ struct CurveResult {
 Settled settled_of(const std::vector<Strata>& curve);
 
 /// A row's error, one of the Strata above, and its ratios to the baseline's: mean_interval,
-/// ratio_interval and ratio_over_views, without bounds where a row misses light (misses_light).
+/// ratio_interval and ratio_over_views. Where a row misses light (misses_light), its error has no
+/// bounds, and ratios are NaN altogether.
 Interval error_interval(const RowResult& row, Strata RowResult::*error);
 Interval error_ratio(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
 Interval error_ratio_over_views(const RowResult& row, const RowResult& baseline,

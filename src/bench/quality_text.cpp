@@ -70,10 +70,11 @@ std::string views_text(const std::vector<ViewResult>& views) {
     return text;
 }
 
-/// The same, whose bounds are not known where the data do not give them.
-Interval bounded_if(bool known, const Interval& interval) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    return known ? interval : Interval{interval.value, unknown, unknown};
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A ratio, or nothing where the data do not tell it.
+Interval ratio_if(bool told, const Interval& ratio) {
+    return told ? ratio : Interval{unknown, unknown, unknown};
 }
 
 /// One table of errors: values, ratios to the baseline, and the reference's share.
@@ -105,10 +106,10 @@ std::string ratios_by_view(const QualityOptions& options, const LevelResult& res
         for (const RowResult& row : result.rows) {
             text += fmt::format("  {:<12}", row.row.label);
             for (std::size_t view = 0; view < result.views.size(); ++view) {
-                const bool known = !misses_light({row.mean_ratio[view]}) &&
-                                   !misses_light({baseline.mean_ratio[view]});
-                const Interval ratio = bounded_if(
-                    known, ratio_interval({(row.*member)[view]}, {(baseline.*member)[view]}));
+                const bool told = !misses_light({row.mean_ratio[view]}) &&
+                                  !misses_light({baseline.mean_ratio[view]});
+                const Interval ratio = ratio_if(
+                    told, ratio_interval({(row.*member)[view]}, {(baseline.*member)[view]}));
                 text += fmt::format("{:>8}  {:<18}", number(ratio.value), range(ratio));
             }
             text += '\n';
@@ -239,16 +240,18 @@ bool comparable(const RowResult& row, const RowResult& baseline) {
 } // namespace
 
 Interval error_interval(const RowResult& row, Strata RowResult::*error) {
-    return bounded_if(!misses_light(row.mean_ratio), mean_interval(row.*error));
+    Interval interval = mean_interval(row.*error);
+    if (misses_light(row.mean_ratio)) interval.low = interval.high = unknown;
+    return interval;
 }
 
 Interval error_ratio(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
-    return bounded_if(comparable(row, baseline), ratio_interval(row.*error, baseline.*error));
+    return ratio_if(comparable(row, baseline), ratio_interval(row.*error, baseline.*error));
 }
 
 Interval error_ratio_over_views(const RowResult& row, const RowResult& baseline,
                                 Strata RowResult::*error) {
-    return bounded_if(comparable(row, baseline), ratio_over_views(row.*error, baseline.*error));
+    return ratio_if(comparable(row, baseline), ratio_over_views(row.*error, baseline.*error));
 }
 
 Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row) {
@@ -261,8 +264,8 @@ Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& r
         squared_error += floor.error * floor.error;
     }
     const double share = std::sqrt(squared_error) / variance;
-    return bounded_if(!misses_light(row.mean_ratio),
-                      product(ratio_interval(floors, row.mse), widened({1.0, 1.0, 1.0}, share)));
+    return ratio_if(!misses_light(row.mean_ratio),
+                    product(ratio_interval(floors, row.mse), widened({1.0, 1.0, 1.0}, share)));
 }
 
 Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draws error against time for every technique, after figure 8 of the paper, from the report of `run bench quality`: one
-picture per level. What is further down and to the left is better; the dotted line joins what is as good at equal time."""
+picture per level that has ratios of errors. What is further down and to the left is better; the dotted line joins what is as good at equal time."""
 
 import numpy
 from matplotlib import pyplot
@@ -11,11 +11,12 @@ import drawing
 
 def draw(report):
     for part in report["parts"]:
+        rows = [row for row in part["rows"] if None not in (row["frame_ms"]["ratio"]["value"], row["trimmed_mse"]["ratio"]["value"])]
+        if not rows:
+            continue # no error tells anything: docs/quality.md, Rare paths
         figure, axes = pyplot.subplots(figsize=(6.5, 4.2), layout="constrained")
-        for row in part["rows"]:
+        for row in rows:
             time, error = row["frame_ms"]["ratio"], row["trimmed_mse"]["ratio"]
-            if time["value"] is None or error["value"] is None:
-                continue
             guided = row["variables"].get("pt_guide") == "cdq"
             axes.errorbar(time["value"], error["value"], xerr=drawing.spread([time]), yerr=drawing.spread([error]),
                           marker="s" if guided else "o", capsize=2, label=row["label"])

@@ -41,29 +41,23 @@ def plain(interval):
     return cell(interval).replace("**", "")
 
 
-def told(part, row):
-    """Whether a row's errors mean something beside those of the baseline: the frames of neither miss light (docs/quality.md)."""
-    rows = [other for other in part["rows"] if other["label"] in (row["label"], part["baseline"])]
-    return not any(other.get("misses_light") for other in rows)
-
-
 def first_labels(parts):
     return [row["label"] for row in parts[0]["rows"]]
 
 
-def by_technique(title, parts, value_of, show=cell, are_errors=False):
-    """Parts down, techniques across; a question mark where errors say nothing."""
+def by_technique(title, parts, value_of, show=cell):
+    """Parts down, techniques across."""
     labels = first_labels(parts)
     lines = []
     for part in parts:
-        cells = {row["label"]: "?" if are_errors and not told(part, row) else show(value_of(row)) for row in part["rows"]}
+        cells = {row["label"]: show(value_of(row)) for row in part["rows"]}
         lines.append([part["part"], *(cells.get(label, "") for label in labels)])
     return [title, *labels], lines
 
 
 def quality(report):
     for title, value_of in MEASURES:
-        yield by_technique(title, report["parts"], value_of, are_errors="MSE" in title)
+        yield by_technique(title, report["parts"], value_of)
     yield by_technique("Mean over the reference's", report["parts"], lambda row: row["mean_ratio"], plain)
 
 
@@ -105,8 +99,8 @@ def timing(report):
 
 def scale(report):
     yield by_technique("Milliseconds of a frame", report["parts"], lambda row: row["frame_ms"], plain)
-    yield by_technique("Trimmed MSE over the baseline", report["parts"], lambda row: row["trimmed_mse"]["ratio"], are_errors=True)
-    yield by_technique("The same at equal time", report["parts"], lambda row: row["trimmed_mse"]["ratio_at_equal_time"], are_errors=True)
+    yield by_technique("Trimmed MSE over the baseline", report["parts"], lambda row: row["trimmed_mse"]["ratio"])
+    yield by_technique("The same at equal time", report["parts"], lambda row: row["trimmed_mse"]["ratio_at_equal_time"])
 
 
 def trade(report):
@@ -118,11 +112,10 @@ def trade(report):
             if part["level"] != level:
                 continue
             for row in part["rows"]:
-                if row["label"] == part["baseline"]:
-                    continue
-                errors = (row["trimmed_mse"]["ratio"], row["trimmed_mse"]["ratio_at_equal_time"], row["mse"]["ratio"])
-                lines.append([row["label"], part["baseline"], cell(row["frame_ms"]["ratio"]),
-                              *(cell(error) if told(part, row) else "?" for error in errors)])
+                if row["label"] != part["baseline"]:
+                    lines.append([row["label"], part["baseline"], cell(row["frame_ms"]["ratio"]),
+                                  cell(row["trimmed_mse"]["ratio"]), cell(row["trimmed_mse"]["ratio_at_equal_time"]),
+                                  cell(row["mse"]["ratio"])])
         yield [f"{level}", "over", "frame time", "trimmed MSE", "trimmed, equal time", "MSE"], lines
 
 
