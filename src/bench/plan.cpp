@@ -149,8 +149,7 @@ Plan scale_plan(std::span<const std::string> arguments) {
             };
             unless_named("--views", part.options.views, 1);
             unless_named("--seeds", part.options.seeds, height < 720 ? 6 : 2);
-            if (height >= 720)
-                unless_named("--reference-paths", part.options.reference_paths, 64);
+            if (height >= 720) unless_named("--reference-paths", part.options.reference_paths, 64);
         }
         for (const int halvings : {0, 1, 2}) {
             if (is_quick && halvings == 1) continue;
