@@ -8,7 +8,7 @@ namespace vigil::client {
 std::span<const Preset> presets() {
     static const std::vector<Preset> table = {
         {"fast",
-         "the least time for a frame; noisy where only guided rays find the light",
+         "less time for a frame; noisy where only guided rays find the light",
          {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "4"}}},
         {"balanced",
          "the defaults: little noise everywhere, for one path a pixel",
