@@ -162,4 +162,22 @@ TEST_F(Experiments, ThePageHasTablesPlotsAndPictures) {
     EXPECT_NE(text.find("Mean FLIP"), std::string::npos);
 }
 
+TEST_F(Experiments, TradeShowsQuestionMarksWhereErrorsTellNothing) {
+    if (python({"-c", "import matplotlib"}) != 0) GTEST_SKIP() << "matplotlib is missing";
+    json report = measure("trade", {"--part", "warehouse pt_vlc_bucket"});
+    for (json& row : report["parts"][0]["rows"])
+        for (const char* error : {"mse", "trimmed_mse"})
+            for (const char* ratio : {"ratio", "ratio_at_equal_time"})
+                for (json& number : row[error][ratio])
+                    if (number.is_number()) number = nullptr;
+    std::ofstream(file("blind.json")) << report;
+    const std::string tools = VIGIL_SOURCE_DIR "/tools/report/";
+    EXPECT_EQ(python({tools + "trade.py", file("blind.json").string()}), 0)
+        << text_of("python.txt");
+    EXPECT_FALSE(std::filesystem::exists(file("trade_warehouse.png")));
+    EXPECT_EQ(python({tools + "defaults.py", file("blind.json").string()}), 0)
+        << text_of("python.txt");
+    EXPECT_NE(text_of("python.txt").find(" x ? = ? |"), std::string::npos);
+}
+
 } // namespace vigil::bench

@@ -102,7 +102,7 @@ def table(report, name, first, labels):
 
 
 def labels_of(report, name):
-    return [row["label"] for row in next(iter(parts_named(report, name).values()))["rows"]]
+    return [row["label"] for part in list(parts_named(report, name).values())[:1] for row in part["rows"]]
 
 
 def main(arguments):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the front of time against error, one picture per level, from the report of `run bench trade`: every value of every
-variable is a point, over the default of `vlc`; the front is what nothing else beats in both."""
+variable is a point, over the default of `vlc`; the front is what nothing else beats in both. A level without ratios of errors has
+no picture."""
 
 from matplotlib import pyplot
 
@@ -46,6 +47,8 @@ def front(found):
 def draw(report):
     for level, parts in parts_by_level(report).items():
         found = points(parts)
+        if not found:
+            continue # no error tells anything: docs/quality.md, Rare paths
         figure, axes = pyplot.subplots(figsize=(8.5, 5.5), layout="constrained")
         axes.scatter([time for _, time, _ in found], [error for _, _, error in found], s=12, color="0.6")
         kept = front(found)
