@@ -40,9 +40,10 @@ Half against full precision is not among them: no cache stores the same thing in
 `pt_preset NAME` at the console sets several variables at once; `balanced` are the defaults.
 """
 
-# Why a default is not the value that its table prefers.
+# Why a default is not the value that its table prefers, or seems to.
 REASONS = {
     "pt_spp": """One sample makes the shortest frames, and a player waits for frames; four are a preset (`accurate`).""",
+    "pt_lh_leaf": """4 is lower in both means, but sure in no level.""",
     "pt_sll_max": """`sll` is there to be compared with: 32 are as many lights as `vlc` and `ris` weigh at a hit, and four times as many as Quake II RTX ships with
 ([light-sampling.md](light-sampling.md)). Who plays with `sll` among many lamps sets more.""",
 }
@@ -129,7 +130,7 @@ def main(arguments):
         print(f"\n## `{name}`: {values.get(name, '?')}, with {baseline}\n")
         text, better = table(report, name, f"over `{values.get(name, '?')}`", labels)
         print(text)
-        if better and name in REASONS:
+        if name in REASONS:
             print(f"\n{REASONS[name]}")
         elif better:
             print(f"better than the default: {', '.join(better)}; change it, or say in REASONS why not", file=sys.stderr)
