@@ -34,10 +34,12 @@ function(vigil_library name)
   target_link_libraries(${name} PUBLIC vigil_options ${ARG_DEPENDS})
 endfunction()
 
-# vigil_test(NAME SOURCES ... LIBS ... [GPU]): a GoogleTest binary, registered with ctest.
-# GPU tests get the label "gpu", the others "unit".
+# vigil_test(NAME SOURCES ... LIBS ... [GPU [ASSISTED]]): a GoogleTest binary, registered with ctest.
+# GPU tests get the label "gpu", the others "unit". ASSISTED: also "assisted", for those that can run under GPU-assisted
+# validation. It puts a dozen basic blocks around every access to memory; lavapipe takes seconds to compile the instrumented
+# shaders of these, but more than minutes for a path tracer with light sampling.
 function(vigil_test name)
-  cmake_parse_arguments(ARG "GPU" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "GPU;ASSISTED" "" "SOURCES;LIBS" ${ARGN})
   find_package(GTest REQUIRED)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE vigil_options ${ARG_LIBS} GTest::gtest GTest::gtest_main)
@@ -53,6 +55,9 @@ function(vigil_test name)
     set_tests_properties(${name} PROPERTIES LABELS gpu TIMEOUT 1200)
   else()
     set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300)
+  endif()
+  if(ARG_ASSISTED)
+    set_property(TEST ${name} APPEND PROPERTY LABELS assisted)
   endif()
 endfunction()
 
