@@ -59,7 +59,7 @@ def main(paths):
         print(f"  {name}: {distance:.2f} half widths apart")
     chance = stats.binomtest(len(apart), len(distances), 0.05, alternative="greater").pvalue
     print(f"{len(distances) - len(apart)} of {len(distances)} agree within their 95% intervals (chance of so few or fewer: {chance:.2g})")
-    sys.exit(chance < 0.01)
+    sys.exit(int(chance < 0.01))  # sys.exit would print a truth value of numpy
 
 
 if __name__ == "__main__":
