@@ -4,7 +4,7 @@
 variable is a point, over the default of `vlc`; the front is what nothing else beats in both. A level without ratios of errors has
 no picture."""
 
-from matplotlib import pyplot
+from matplotlib import pyplot, ticker
 
 import drawing
 
@@ -44,25 +44,52 @@ def front(found):
     return kept
 
 
+def rows_for(heights, gap):
+    """Heights in [0, 1], highest first, moved apart until `gap` lies between neighbours: each as low as the one above
+    demands, then as high as the bottom demands."""
+    placed = []
+    for height in heights:
+        placed.append(min(height, placed[-1] - gap) if placed else height)
+    floor = 0
+    for i in reversed(range(len(placed))):
+        placed[i] = max(placed[i], floor)
+        floor = placed[i] + gap
+    return placed
+
+
+def label(axes, named):
+    """Names of points in a column to the right of the axes, from the largest error down, each with a line to its point."""
+    named = sorted(named, key=lambda point: -point[2])
+    to_axes = axes.transData + axes.transAxes.inverted()
+    heights = [to_axes.transform((time, error))[1] for _, time, error in named]
+    for (name, time, error), height in zip(named, rows_for(heights, 0.031)):
+        axes.annotate(name, (time, error), xytext=(1.04, height), textcoords="axes fraction", fontsize=7, va="center",
+                      arrowprops={"arrowstyle": "-", "color": "0.75", "linewidth": 0.5, "shrinkA": 0, "shrinkB": 2,
+                                  "relpos": (0, 0.5)})
+
+
 def draw(report):
     for level, parts in parts_by_level(report).items():
         found = points(parts)
         if not found:
             continue # no error tells anything: docs/quality.md, Rare paths
         figure, axes = pyplot.subplots(figsize=(8.5, 5.5), layout="constrained")
-        axes.scatter([time for _, time, _ in found], [error for _, _, error in found], s=12, color="0.6")
         kept = front(found)
+        rest = [point for point in found if point not in kept]
+        named = [point for point in rest if "=" not in point[0]]
+        for shown, color in ((rest, "0.6"), (named, "C1"), (kept, "C0")):
+            axes.scatter([time for _, time, _ in shown], [error for _, _, error in shown], s=13, color=color, zorder=3)
         axes.step([time for _, time, _ in kept], [error for _, _, error in kept], where="post", color="C0", linewidth=1)
-        named = {label for label, _, _ in kept} | {label for label, _, _ in found if "=" not in label}
-        for label, time, error in found:
-            if label in named:
-                axes.scatter([time], [error], s=14, color="C0" if label in {name for name, _, _ in kept} else "C1")
-                axes.annotate(label, (time, error), fontsize=7, xytext=(3, 3), textcoords="offset points")
         axes.set_xscale("log")
         axes.set_yscale("log")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 3, 5, 7)))
+            axis.set_major_formatter("{x:g}")
+            axis.set_minor_formatter(ticker.NullFormatter())
         axes.set_xlabel("frame time over that of vlc")
         axes.set_ylabel("MSE without the largest 0.1%, likewise")
-        axes.set_title(f"{level}: what each value costs and buys", fontsize=10)
+        axes.set_title(f"{level}: what each value costs and buys (blue: the front; orange: techniques and presets)", fontsize=9)
+        label(axes, kept + named)
         yield f"trade_{level}", figure
 
 
