@@ -79,7 +79,10 @@ void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& r
     submit.pCommandBuffers = &commands;
     check(vkQueueSubmit(device.queue(), 1, &submit, fence.get()), "vkQueueSubmit");
     const VkFence raw = fence.get();
-    check(vkWaitForFences(device.handle(), 1, &raw, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+    const VkResult waited = vkWaitForFences(device.handle(), 1, &raw, VK_TRUE, UINT64_MAX);
+    // The device may still be at work, and what it works with is destroyed on the way out.
+    if (waited != VK_SUCCESS) vkDeviceWaitIdle(device.handle());
+    check(waited, "vkWaitForFences");
 }
 
 void upload_now(const Device& device, const Buffer& target, uint64_t offset,
