@@ -225,8 +225,8 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     // Closed by its button.
     close_window();
     ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
-    EXPECT_EQ(program_->wait(), 0);
     const std::string all = text_of(log_);
+    EXPECT_EQ(program_->wait(), 0) << all;
     EXPECT_EQ(all.find("alidation"), std::string::npos) << all;
     EXPECT_EQ(all.find("rror"), std::string::npos) << all;
     // What was changed is kept.
