@@ -35,9 +35,8 @@ function(vigil_library name)
 endfunction()
 
 # vigil_test(NAME SOURCES ... LIBS ... [GPU [ASSISTED]]): a GoogleTest binary, registered with ctest.
-# GPU tests get the label "gpu", the others "unit". ASSISTED: also "assisted", for those that can run under GPU-assisted
-# validation. It puts a dozen basic blocks around every access to memory; lavapipe takes seconds to compile the instrumented
-# shaders of these, but more than minutes for a path tracer with light sampling.
+# GPU tests get the label "gpu", the others "unit". ASSISTED: also "assisted", for those that can run as a whole under
+# GPU-assisted validation, whose instrumented shaders take a software driver long to compile and to run.
 function(vigil_test name)
   cmake_parse_arguments(ARG "GPU;ASSISTED" "" "SOURCES;LIBS" ${ARGN})
   find_package(GTest REQUIRED)
@@ -60,6 +59,16 @@ function(vigil_test name)
   if(ARG_ASSISTED)
     set_property(TEST ${name} APPEND PROPERTY LABELS assisted)
   endif()
+endfunction()
+
+# vigil_test_assisted(NAME CASE): that case of the test by itself under GPU-assisted validation, where the whole program
+# would take too long; cases run beside each other.
+function(vigil_test_assisted name case)
+  if(VIGIL_SANITIZE)
+    return()
+  endif()
+  add_test(NAME ${name}_${case} COMMAND ${name} "--gtest_filter=*.${case}:*/${case}")
+  set_tests_properties(${name}_${case} PROPERTIES LABELS assisted TIMEOUT 3600)
 endfunction()
 
 # vigil_test_subgroups(NAME): the test again at each other subgroup size that lavapipe can have. Other drivers ignore the

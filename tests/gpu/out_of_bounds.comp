@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reads past the end of what is bound, for a test of the validation that must notice.
+// Reads a value wherever it is told, for a test of the validation that must notice the buffer's end.
 #version 460
 layout(local_size_x = 1) in;
 layout(set = 0, binding = 0) readonly buffer Values { uint values[]; };

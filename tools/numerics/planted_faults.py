@@ -9,10 +9,11 @@ the project's folder. The exit status is 1 if a fault went unnoticed or the test
 one line of one file; when that line has changed, the fault is reported as out of date and must be written anew.
 """
 
+import os
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 
@@ -25,6 +26,7 @@ class Fault:
     target: str  # the test's build target
     program: str  # below the build folder
     tests: str  # GoogleTest filter
+    environment: dict[str, str] = field(default_factory=dict)  # of the tests, more than this program's own
 
 
 CDQ = ("cdq_test", "tests/cdq/cdq_test")
@@ -33,6 +35,8 @@ IMPORTANCE = ("light_importance_test", "tests/light/light_importance_test")
 NUMERICS = ("numerics_test", "tests/numerics/numerics_test")
 OCTREE = ("guiding_octree_test", "tests/guiding/guiding_octree_test")
 GUIDING = ("guiding_passes_test", "tests/guiding/guiding_passes_test")
+FRAMES = ("vkpt_frames_test", "tests/vkpt/vkpt_frames_test")
+GPU_ASSISTED = {"VIGIL_VALIDATION": "3", "GALLIVM_PERF": "nopt"}  # as in ./run test long
 
 FAULTS = [
     Fault("pdf off by 1%: directions of quadtrees", "shaders/shared/cdq.h",
@@ -64,6 +68,9 @@ FAULTS = [
     Fault("a hash bucket overflows by one", "shaders/guiding/light_table.glsl",
           "const uint end = first + settings.bucket;", "const uint end = first + settings.bucket + 1u;",
           *GUIDING, "*FullTables*:*EveryBucketSize*"),
+    Fault("a write past a buffer's end in the path tracer", "shaders/pathtrace/direct.comp",
+          "primary_hits[index].flags |= flags;", "primary_hits[index + 5000000u].flags |= flags;",
+          *FRAMES, "*/uniform", GPU_ASSISTED),
 ]
 
 
@@ -89,7 +96,8 @@ def build_and_test(folder, fault):
         sys.exit(f"{fault.name}: it does not build\n{built.stdout[-3000:]}")
     program = str((folder / "build" / fault.program).resolve())
     try:
-        return run([program, "--gtest_filter=" + fault.tests], cwd=folder / "build", timeout=600).returncode == 0
+        return run([program, "--gtest_filter=" + fault.tests], cwd=folder / "build", timeout=600,
+                   env={**os.environ, **fault.environment}).returncode == 0
     except subprocess.TimeoutExpired:
         return False
 
