@@ -100,7 +100,7 @@ SHADER_FN uvec4 cdq_level_starts(uvec4 tree, uint bits) {
     // The first children of a level are those of its first inner node; below the last level is the
     // end of the field.
     uint start = 4u;
-    while (start < bits) {
+    for (uint depth = 2u; depth <= CDQ_MAX_DEPTH && start < bits; ++depth) {
         starts[start >> 5u] |= 1u << (start & 31u);
         start = 4u * (cdq_rank(tree, start) + 1u);
     }

@@ -156,5 +156,18 @@ TEST(CdqBits, EveryTreeOf32BitsIsNavigatedRightly) {
     EXPECT_EQ(trees, 420732u); // C(32, 8) / 25 quaternary trees of 8 inner nodes, the root included
 }
 
+// On a GPU a loop without an end is a lost device.
+TEST(CdqBits, WhatIsNoTreeEndsAsWell) {
+    Dice dice(5);
+    for (int round = 0; round < 10000; ++round) {
+        const uvec4 field(any_word(dice), any_word(dice), any_word(dice), any_word(dice));
+        const uvec4 starts = cdq_level_starts(field, CDQ_MOST_BITS);
+        for (uint node = 0; node < CDQ_MOST_BITS; ++node) {
+            ASSERT_LE(cdq_depth(starts, node), CDQ_MAX_DEPTH);
+            ASSERT_LE(cdq_cell(field, node).depth, CDQ_MAX_DEPTH);
+        }
+    }
+}
+
 } // namespace
 } // namespace vigil::test

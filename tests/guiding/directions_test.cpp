@@ -206,6 +206,18 @@ TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
     EXPECT_EQ(ambiguous_, 0u);
 }
 
+TEST_F(Directions, WhatNobodyKeptIsNotRemembered) {
+    shader::GuidingSettings settings = settings_for(4, 0.25f);
+    settings.memory_rays = 0;
+    start(settings, 64, 128);
+    Dice dice(7);
+    random_rays_frame(dice, 20, {Brought::Anything, 60, 256}, 128);
+    if (HasFatalFailure()) return;
+    ASSERT_GT(state_.inner.size(), 1u);
+    settings.memory_rays = 512;
+    start_anew(settings);
+}
+
 TEST_F(Directions, OneHugeLeafAmongEmptyOnes) {
     // More than any leaf has once the octree has followed the surfaces: its first frames. Every ray
     // takes as long as it can to find its leaf.

@@ -122,13 +122,15 @@ bool Guiding::prepare(const Options& options) {
     const bool fits = header_.node_capacity == node_capacity(options) &&
                       options_.picture_size == options.picture_size &&
                       (options_.cdq_bits > 0) == (options.cdq_bits > 0);
-    // What the frame before left must fit: buckets and quadtrees of the same size, and caches that
-    // were made in it.
-    restart_ |= options_.settings.bucket != options.settings.bucket ||
-                options_.cdq_bits != options.cdq_bits || options_.lights != options.lights;
-    options_ = options;
-    options_.settings.sum_words =
+    const uint32_t sum_words =
         options.cdq_bits > 0 && options.settings.memory_rays > 0 ? shader::CDQ_SUM_WORDS : 0;
+    // What the frame before left must fit: buckets and quadtrees of the same size, caches that were
+    // made in it, and sums if quadtrees are to remember them.
+    restart_ |= options_.settings.bucket != options.settings.bucket ||
+                options_.cdq_bits != options.cdq_bits || options_.lights != options.lights ||
+                options_.settings.sum_words < sum_words;
+    options_ = options;
+    options_.settings.sum_words = sum_words;
     if (options_.cdq_bits > 0 && !cdq_adapt_[options_.cdq_bits / 32 - 1]) {
         const std::array constants{gpu::Specialization{0, device_.features().subgroup_size},
                                    gpu::Specialization{1, options_.cdq_bits}};
