@@ -149,4 +149,25 @@ void check_png(std::string_view name, std::span<const uint8_t> bytes) {
         fail("{}: the PNG's pixel data ends after {} of {} bytes", name, counter.bytes(), needed);
 }
 
+std::vector<uint8_t> without_empty_data(std::span<const uint8_t> bytes) {
+    ByteReader reader("PNG", bytes);
+    std::vector<uint8_t> kept;
+    const auto keep = [&](size_t first) {
+        const auto part = bytes.subspan(first, reader.position() - first);
+        kept.insert(kept.end(), part.begin(), part.end());
+    };
+    reader.skip(signature_bytes);
+    keep(0);
+    for (bool ended = false; !ended;) {
+        const size_t first = reader.position();
+        const uint32_t size = big_endian(reader);
+        const std::string kind = reader.text(4);
+        reader.skip(size);
+        ended = kind == "IEND";
+        if (!ended) reader.skip(4); // checksum; nobody reads the last one
+        if (kind != "IDAT" || size > 0) keep(first);
+    }
+    return kept;
+}
+
 } // namespace vigil

@@ -154,6 +154,19 @@ TEST(Image, HugeSizesAreRefusedBeforeAllocation) {
     expect_fault("a.png", "", [&] { decode_image("a.png", png); });
 }
 
+TEST(Image, PngsMayHoldEmptyData) {
+    const Image picture = test_picture(9, 5);
+    const Bytes png = write_png(picture);
+    constexpr std::array<uint8_t, 12> empty = {0,   0,   0,    0,    'I',  'D',
+                                               'A', 'T', 0x35, 0xaf, 0x06, 0x1e};
+    // Before the data (behind signature and header), and before the end chunk.
+    for (const size_t at : {size_t{8 + 25}, png.size() - 12}) {
+        Bytes file = png;
+        file.insert(file.begin() + static_cast<std::ptrdiff_t>(at), empty.begin(), empty.end());
+        EXPECT_EQ(decode_image("a.png", file).rgba, picture.rgba);
+    }
+}
+
 /// A PNG of one colour channel, whose rows are `rows` zero bytes, packed.
 Bytes png_of(uint32_t width, uint32_t height, size_t rows, uint8_t interlaced = 0) {
     Bytes packed(compressBound(rows));
