@@ -105,8 +105,7 @@ void check_image_size(std::string_view name, uint64_t width, uint64_t height) {
 }
 
 Image decode_png(std::string_view name, std::span<const uint8_t> bytes) {
-    check_png(name, bytes);
-    return decode_stb(name, without_empty_data(bytes));
+    return decode_stb(name, checked_png(name, bytes));
 }
 
 Image decode_tga(std::string_view name, std::span<const uint8_t> bytes) {

@@ -123,7 +123,7 @@ private:
 
 } // namespace
 
-void check_png(std::string_view name, std::span<const uint8_t> bytes) {
+std::vector<uint8_t> checked_png(std::string_view name, std::span<const uint8_t> bytes) {
     const std::string what = fmt::format("{}: PNG", name);
     ByteReader reader(what, bytes);
     reader.skip(signature_bytes);
@@ -137,36 +137,22 @@ void check_png(std::string_view name, std::span<const uint8_t> bytes) {
     constexpr uint64_t slack = 4096;
     Counter counter(name, needed + slack);
 
-    while (true) {
-        const uint32_t size = big_endian(reader);
-        const std::string kind = reader.text(4);
-        const auto content = reader.take(size);
-        if (kind == "IDAT") counter.add(content);
-        if (kind == "IEND") break;
-        reader.skip(4);
-    }
-    if (counter.bytes() < needed)
-        fail("{}: the PNG's pixel data ends after {} of {} bytes", name, counter.bytes(), needed);
-}
-
-std::vector<uint8_t> without_empty_data(std::span<const uint8_t> bytes) {
-    ByteReader reader("PNG", bytes);
-    std::vector<uint8_t> kept;
-    const auto keep = [&](size_t first) {
-        const auto part = bytes.subspan(first, reader.position() - first);
-        kept.insert(kept.end(), part.begin(), part.end());
-    };
-    reader.skip(signature_bytes);
-    keep(0);
+    std::vector<uint8_t> kept(bytes.begin(),
+                              bytes.begin() + static_cast<ptrdiff_t>(reader.position()));
     for (bool ended = false; !ended;) {
         const size_t first = reader.position();
         const uint32_t size = big_endian(reader);
         const std::string kind = reader.text(4);
-        reader.skip(size);
+        const auto content = reader.take(size);
         ended = kind == "IEND";
         if (!ended) reader.skip(4); // checksum; nobody reads the last one
-        if (kind != "IDAT" || size > 0) keep(first);
+        if (kind == "IDAT") counter.add(content);
+        if (kind == "IDAT" && size == 0) continue;
+        const auto chunk = bytes.subspan(first, reader.position() - first);
+        kept.insert(kept.end(), chunk.begin(), chunk.end());
     }
+    if (counter.bytes() < needed)
+        fail("{}: the PNG's pixel data ends after {} of {} bytes", name, counter.bytes(), needed);
     return kept;
 }
 
