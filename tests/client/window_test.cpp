@@ -7,14 +7,17 @@
 
 #include <X11/Xlib.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace vigil::test {
@@ -53,34 +56,20 @@ protected:
         setenv("XDG_CONFIG_HOME", path("config").c_str(), 1); // not the player's
         setenv("XDG_CACHE_HOME", (std::filesystem::current_path() / "test-cache").c_str(), 1);
         log_ = path("vigil.log");
-        program_ =
-            std::make_unique<Process>(std::vector<std::string>{VIGIL_PROGRAM,
-                                                               "+set",
-                                                               "vid_driver",
-                                                               GetParam(),
-                                                               "+set",
-                                                               "basedir",
-                                                               VIGIL_SOURCE_DIR "/tests/data",
-                                                               "+set",
-                                                               "outdir",
-                                                               path("out"),
-                                                               "+set",
-                                                               "vk_validation",
-                                                               "2",
-                                                               "+set",
-                                                               "vid_width",
-                                                               "160",
-                                                               "+set",
-                                                               "vid_height",
-                                                               "100",
-                                                               "+map",
-                                                               "lamp"},
-                                      log_);
-        ASSERT_TRUE(wait_for([&] { return logged("lamp: "); })) << text_of(log_);
-        // Without a window manager nobody else gives it the keyboard.
-        xdotool("search --sync --onlyvisible --name Vigil windowfocus --sync");
-        press("F2"); // the first picture is done when this is answered
-        ASSERT_TRUE(answered("setviewpos"));
+    }
+    /// Starts the program with a window; it looks for the game in `basedir`.
+    void start(const std::string& basedir, std::vector<std::string> words) {
+        std::vector<std::string> all{VIGIL_PROGRAM};
+        for (const auto& [name, value] :
+             std::initializer_list<std::pair<const char*, std::string>>{{"vid_driver", GetParam()},
+                                                                        {"basedir", basedir},
+                                                                        {"outdir", path("out")},
+                                                                        {"vk_validation", "2"},
+                                                                        {"vid_width", "160"},
+                                                                        {"vid_height", "100"}})
+            all.insert(all.end(), {"+set", name, value});
+        all.insert(all.end(), words.begin(), words.end());
+        program_ = std::make_unique<Process>(all, log_);
     }
     void TearDown() override {
         program_.reset();
@@ -161,6 +150,13 @@ protected:
 };
 
 TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
+    start(VIGIL_SOURCE_DIR "/tests/data", {"+map", "lamp"});
+    ASSERT_TRUE(wait_for([&] { return logged("lamp: "); })) << text_of(log_);
+    // Without a window manager nobody else gives it the keyboard.
+    xdotool("search --sync --onlyvisible --name Vigil windowfocus --sync");
+    press("F2"); // the first picture is done when this is answered
+    ASSERT_TRUE(answered("setviewpos"));
+
     // Walks.
     press("F2");
     ASSERT_TRUE(answered("setviewpos"));
@@ -231,6 +227,22 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     EXPECT_EQ(all.find("rror"), std::string::npos) << all;
     // What was changed is kept.
     EXPECT_NE(text_of(path("config/vigil/config.cfg")).find("scr_stats"), std::string::npos);
+}
+
+TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {
+    start(VIGIL_SOURCE_DIR,
+          {"+set", "timedemo", "1000", "+set", "timedemo_json", "demo.json", "+demomap", "ring"});
+    // Quake's line: one repetition is finished, the next is under way.
+    ASSERT_TRUE(answered(" fps"));
+    close_window();
+    ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
+    const std::string all = text_of(log_);
+    EXPECT_EQ(program_->wait(), 1) << all;
+    EXPECT_NE(all.find("reported is what was finished"), std::string::npos) << all;
+    const auto report = nlohmann::json::parse(text_of(path("out/demo.json")), nullptr, false);
+    ASSERT_TRUE(report.is_object()) << all;
+    EXPECT_GE(report["repetitions"].size(), 1u);
+    EXPECT_LT(report["repetitions"].size(), 1000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Systems, WindowTest, testing::Values("sdl", "glfw"),
