@@ -96,9 +96,9 @@ protected:
     /// Waits for `text` in what was logged since the last answer, and keeps its line in answer_.
     testing::AssertionResult answered(const std::string& text) {
         if (!wait_for([&] {
-                return logged(text + "") &&
-                       text_of(log_).find('\n', text_of(log_).find(text, seen_)) !=
-                           std::string::npos;
+                const std::string log = text_of(log_);
+                const size_t begin = log.find(text, seen_);
+                return begin != std::string::npos && log.find('\n', begin) != std::string::npos;
             }))
             return testing::AssertionFailure() << "no \"" << text << "\" in:\n"
                                                << text_of(log_).substr(seen_);
