@@ -3,8 +3,10 @@
 #include "client/arguments.h"
 #include "client/client.h"
 #include "client/soak.h"
+#include "client/soak_script.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/output.h"
 #include "world/level.h"
 
 namespace vigil::client {
@@ -30,8 +32,11 @@ void run_soak(Client& client, CommandArguments arguments) {
     SoakChoices choices{list_levels(files), files.list("demos/", ".dm2")};
     if (choices.levels.empty()) fail("there are no levels to play");
     const auto soak = std::make_shared<Soak>(std::move(choices), seed);
+    const auto script = std::make_shared<SoakScript>(
+        output_path("soak.cfg"), fmt::format("Typed by `soak {:g} {}`.", minutes, seed));
     const auto watch = std::make_shared<Stopwatch>();
-    client.commands().pause_script_until([&client, soak, watch, minutes] {
+    const Trust trust = client.commands().trust();
+    client.commands().pause_script_until([&client, soak, script, watch, minutes, trust] {
         if (watch->seconds() >= 60.0 * minutes) {
             client.attempt("soak", [&] {
                 report(*soak, client.session().renderer().health(), watch->seconds());
@@ -39,7 +44,9 @@ void run_soak(Client& client, CommandArguments arguments) {
             return true;
         }
         const bool walks = client.play() != nullptr && !client.playing() && !client.flying();
-        client.commands().execute_text(soak->next(walks), "soak");
+        const std::string commands = soak->next(walks);
+        if (!client.attempt("soak", [&] { script->add_frame(commands); })) return true;
+        client.commands().execute_text(commands, "soak", trust);
         return false;
     });
 }
@@ -47,11 +54,12 @@ void run_soak(Client& client, CommandArguments arguments) {
 } // namespace
 
 void add_soak_command(Client& client) {
-    client.commands().add("soak",
-                          "MINUTES [SEED]: plays at random, switching levels, demos and variables; "
-                          "fails when a value "
-                          "was not finite or validation had a message",
-                          [&client](CommandArguments arguments) { run_soak(client, arguments); });
+    client.commands().add(
+        "soak",
+        "MINUTES [SEED]: plays at random, switching levels, demos and variables, and "
+        "writes what it types to soak.cfg; fails when a value was not finite "
+        "or validation had a message",
+        [&client](CommandArguments arguments) { run_soak(client, arguments); });
 }
 
 } // namespace vigil::client
