@@ -1,6 +1,6 @@
 # Compiles GLSL to SPIR-V and embeds it: one table from name to code, refresh/vkpt/shader_library.h.
 
-find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 set(VIGIL_SHADER_DIR ${CMAKE_SOURCE_DIR}/shaders)
 set(VIGIL_SHADER_OUTPUT ${CMAKE_BINARY_DIR}/shaders)
 

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 CACHE = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vigil"
+UNAVAILABLE = 3  # exit status: nothing was done
 
 
 def python_with(requirements, name, contents):
@@ -35,8 +36,13 @@ def python_with(requirements, name, contents):
 
 
 def run_with(requirements, name, contents, script, arguments):
-    """Runs a script of that environment; returns its exit status, 0 where the environment cannot be had."""
+    """Runs a script of that environment; returns its exit status, UNAVAILABLE where the environment cannot be had."""
     python = python_with(requirements, name, contents)
     if python is None:
-        return 0
+        return UNAVAILABLE
     return subprocess.run([str(python), str(script), *arguments], check=False).returncode
+
+
+if __name__ == "__main__":
+    # REQUIREMENTS NAME CONTENTS: prints the Python of that environment on the last line.
+    print(python_with(Path(sys.argv[1]), *sys.argv[2:]) or "")

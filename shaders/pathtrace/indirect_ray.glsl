@@ -45,7 +45,7 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
         direction = cdq_sample(tree, CDQ_BITS, u);
     seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
     const vec2 uv = octahedral_encode(direction);
-    seen.pdf = mix(cdq_leaf_pdf(CDQ_BITS, cdq_find(tree, uv).depth, direction), seen.pdf, brdf_part);
+    seen.pdf = cdq_mixture_pdf(CDQ_BITS, cdq_find(tree, uv).depth, direction, seen.pdf, brdf_part);
     guided.leaf = found.samples;
     guided.grid = uvec2(uv * float(1u << CDQ_MAX_DEPTH));
     guided.pdf = seen.pdf;

@@ -9,6 +9,7 @@
 #include "debug/view.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 15) const bool HAS_VIEW = true; // pt_view is on
 
 vec3 reinhard(vec3 color) {
     const float white = 4.0;
@@ -33,7 +34,7 @@ void main() {
     if (!pixel_of_side(pixel)) return;
     const uint index = pixel.y * frame.size.x + pixel.x;
     vec3 color = picture_color(mean_radiance[index]);
-    if (frame.cvars.pt_view != VIEW_NONE) color = view_color(pixel, color);
+    if (HAS_VIEW) color = view_color(pixel, color);
     // The line between two sides: a dark column and a bright one, visible on any ground.
     if (pixel.x + 1u == end_column && end_column < frame.size.x) color = vec3(0.0);
     if (pixel.x == first_column && first_column > 0u) color = vec3(1.0);

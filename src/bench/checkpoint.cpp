@@ -7,6 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
 namespace vigil::bench {
 
 using nlohmann::ordered_json;
@@ -38,14 +43,15 @@ Checkpoint::Checkpoint(std::filesystem::path path, ordered_json head, bool keep)
     report_["finished"] = false;
     report_["parts"] = ordered_json::array();
     const ordered_json before = read_report(path_);
-    if (!before.is_object() || before.value("key", "") != report_["key"]) return;
+    const auto key = report_["key"].get<std::string>();
+    if (!before.is_object() || before.value("key", std::string()) != key) return;
     if (before.value("finished", true) && !keep) return;
     if (before.contains("parts") && before["parts"].is_array()) report_["parts"] = before["parts"];
 }
 
 const ordered_json* Checkpoint::find(const std::string& part) const {
     for (const ordered_json& known : report_["parts"])
-        if (known.value("part", "") == part) return &known;
+        if (known.value("part", std::string()) == part) return &known;
     return nullptr;
 }
 

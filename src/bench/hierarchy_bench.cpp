@@ -7,9 +7,12 @@
 #include "shared/random.h"
 #include "shared/sampling.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <vector>
 
 namespace vigil::bench {
 

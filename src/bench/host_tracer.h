@@ -6,6 +6,8 @@
 #include "refresh/vkpt/scene/bvh_builder.h"
 #include "shared/bvh.h"
 
+#include <span>
+
 namespace vigil::bench {
 
 class HostTracer {

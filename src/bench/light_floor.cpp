@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vigil::bench {
@@ -64,21 +66,20 @@ LightFloor measure_light_floor(vkpt::VkptRenderer& renderer, const LightFloorPla
                         renderer.scene()->features());
     pass.add_buffer(std::as_bytes(std::span(pixels)));
     pass.add_buffer(row * rows * sizeof(LightFloorValue));
-    double sum = 0.0, squares = 0.0;
+    double sums[2] = {};
     for (std::uint32_t first = 0; first < pixels.size(); first += rows) {
         pass.run({groups, rows / edge, 1}, {first, static_cast<std::uint32_t>(plan.samples)});
         const std::size_t here = std::min<std::size_t>(rows, pixels.size() - first);
         const std::vector<LightFloorValue> values = pass.read<LightFloorValue>(1, row * here);
         for (std::size_t pixel = 0; pixel < here; ++pixel) {
-            const double variance = least_variance(std::span(values).subspan(pixel * row, row));
-            sum += variance;
-            squares += variance * variance;
+            sums[(first + pixel) % 2] +=
+                least_variance(std::span(values).subspan(pixel * row, row));
         }
     }
     const auto count = static_cast<double>(pixels.size());
-    floor.variance = sum / count;
-    floor.error =
-        std::sqrt(std::max(0.0, squares / count - floor.variance * floor.variance) / count);
+    floor.variance = (sums[0] + sums[1]) / count;
+    floor.halves[0] = sums[0] / std::ceil(0.5 * count);
+    floor.halves[1] = sums[1] / std::max(1.0, std::floor(0.5 * count));
     return floor;
 }
 

@@ -14,8 +14,10 @@ namespace vigil::bench {
 
 struct LightFloor {
     double variance = 0.0; // mean over pixels and channels
-    double error = 0.0;    // standard error of it, from how pixels differ
-    int pixels = 0;        // looked at
+    // By every second pixel and by the others. How far they are apart tells how much to believe;
+    // few pixels may hold most of the variance, so a standard error would be too small.
+    double halves[2] = {};
+    int pixels = 0; // looked at
 };
 
 struct LightFloorPlan {

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +34,8 @@ int run_experiment(std::span<const std::string> arguments) {
 
 constexpr Bench benches[] = {
     {"adapt", "error frame by frame from empty caches (figure 9)", run_experiment<adapt_plan>},
+    {"confirm", "values that trade takes for better than the default, with fresh seeds",
+     run_experiment<confirm_plan>},
     {"hierarchy", "time to build the light hierarchy, by number of lights", run_hierarchy_bench},
     {"quality", "error of every technique at one sample per pixel, and its cost (figure 8)",
      run_experiment<quality_plan>},

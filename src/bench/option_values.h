@@ -4,8 +4,14 @@
 
 #include "bench/quality_options.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace vigil::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the experiments measure when nothing else is said. Sizes and repeats are such that all of
-// them together take less than three hours on two cores without a GPU, and each --quick one less
-// than two minutes.
+// What the experiments measure when nothing else is said. Intervals need four views and six runs;
+// sizes and repeats are such that all experiments together take less than five hours on two cores
+// without a GPU, and each --quick one less than two minutes.
 #include "bench/plan.h"
 
 #include "common/error.h"
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace vigil::bench {
 
@@ -95,7 +96,7 @@ Plan adapt_plan(std::span<const std::string> arguments) {
     options.measured = Measured::Curve;
     options.levels = {"warehouse", "gallery"};
     options.rows = rows_of({"sll", "vlc", "vlc+cdq"});
-    options.views = 2;
+    options.seeds = 4;
     options.frames = 24;
     Plan plan{"adapt", parse_quality_options(arguments, {options, quick(options)}), {}};
     plan.parts = level_parts(plan.options);
@@ -108,7 +109,7 @@ Plan timing_plan(std::span<const std::string> arguments) {
     options.levels = {"warehouse", "mine", "gallery"};
     options.rows = rows_of({"lh", "sll", "vlc", "vlc+cdq"});
     options.views = 1;
-    options.seeds = 3;
+    options.seeds = 6; // flights: as few as have an interval
     options.warmup = 80;
     QualityOptions small = quick(options);
     small.warmup = 20;
@@ -121,8 +122,7 @@ Plan scale_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.levels = {"warehouse"}; // of resolutions and triangles
     options.rows = rows_of({"sll", "lh", "ris", "vlc"});
-    options.views = 2;
-    options.seeds = 3; // six pairs: as many as an interval of times takes
+    options.seeds = 2;
     options.reference_paths = 256;
     QualityOptions small = quick(options);
     small.views = 1;
@@ -142,13 +142,12 @@ Plan scale_plan(std::span<const std::string> arguments) {
             if (is_quick && height > 180) continue;
             Part& part = add(level, "resolution", height);
             part.options.size = {height * 16 / 9, height};
-            // All sizes see the same place after as many frames. What large pictures have more of
-            // pixels they need less of repeats.
+            // All sizes see the same places after as many frames. What large pictures have more of
+            // pixels they need less of repeats; with one seed they have no intervals.
             const auto unless_named = [&](std::string_view option, int& value, int usual) {
                 if (!is_quick && !is_named(arguments, option)) value = usual;
             };
-            unless_named("--views", part.options.views, 1);
-            unless_named("--seeds", part.options.seeds, height < 720 ? 6 : 2);
+            unless_named("--seeds", part.options.seeds, height < 720 ? 2 : 1);
             if (height >= 720) unless_named("--reference-paths", part.options.reference_paths, 64);
         }
         for (const int halvings : {0, 1, 2}) {

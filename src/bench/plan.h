@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // An experiment as a list of parts, each a level and how it is measured: what `quality`, `adapt`,
-// `timing`, `scale` and `trade` are. All share options, progress, references, and the report that
-// is continued after an interruption.
+// `timing`, `scale`, `trade` and `confirm` are. All share options, progress, references, and the
+// report that is continued after an interruption.
 #pragma once
 
 #include "bench/quality_options.h"
 
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct Plan {
     std::string name;       // of the report
     QualityOptions options; // of the command line
     std::vector<Part> parts;
+    nlohmann::ordered_json about = nlohmann::ordered_json::object(); // more for the report's head
 };
 
 /// One part per level. Errors of single frames: techniques with and without guided rays.
@@ -37,6 +39,11 @@ Plan scale_plan(std::span<const std::string> arguments);
 /// What every variable buys and costs: rows are values of one variable, parts are levels and
 /// variables. The table is in trade_plan.cpp.
 Plan trade_plan(std::span<const std::string> arguments);
+
+/// The values that the report of `trade` (--trade FILE) takes for better than the default, once
+/// more: with fresh seeds, against the default alone. No parts where there is no such value. Throws
+/// Error when that report is not finished or has some of these seeds.
+Plan confirm_plan(std::span<const std::string> arguments);
 
 /// Parts with guided rays, of levels in which quadtrees learn late (a table in plan.cpp), get the
 /// warm-up that they need there, unless `arguments` hold --warmup or --quick.

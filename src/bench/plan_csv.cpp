@@ -54,10 +54,15 @@ std::string plan_csv(const ordered_json& report) {
                         add(name + '.' + inner, "", interval(value));
                 if (!measure.contains("frames")) continue;
                 int frame = 0;
-                for (const ordered_json& value : measure["frames"])
-                    add(name, std::to_string(++frame),
-                        value.is_object() ? interval(value)
-                                          : fmt::format("{:.6g},,", value.get<double>()));
+                for (const ordered_json& value : measure["frames"]) {
+                    const std::string number_text = std::to_string(++frame);
+                    if (value.is_object()) {
+                        add(name, number_text, interval(value));
+                        add(name + ".median", number_text, interval(value["median"]));
+                    } else {
+                        add(name, number_text, fmt::format("{:.6g},,", value.get<double>()));
+                    }
+                }
             }
         }
     }

@@ -11,7 +11,14 @@
 #include "common/output.h"
 #include "refresh/vkpt/gpu/device.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vigil::bench {
 
@@ -96,21 +103,24 @@ ordered_json head_json(const Plan& plan, const std::string& device) {
     ordered_json planned = ordered_json::object();
     for (const Part& part : plan.parts)
         planned[part.name] = part_json(part);
-    return {{"measured", plan.name},
-            {"device", device},
-            {"commit", client::commit()},
-            {"width", options.size.x},
-            {"height", options.size.y},
-            {"seeds", options.seeds},
-            {"first_seed", options.first_seed},
-            {"warmup", options.warmup},
-            {"camera_fps", place_fps},
-            {"baseline", options.baseline},
-            {"trimmed_share", trimmed_share},
-            {"bright_factor", bright_factor},
-            {"reference_share", options.reference_share},
-            {"variables", variables_json(options.settings)},
-            {"planned", std::move(planned)}};
+    ordered_json head = {{"measured", plan.name},
+                         {"device", device},
+                         {"commit", client::commit()},
+                         {"width", options.size.x},
+                         {"height", options.size.y},
+                         {"seeds", options.seeds},
+                         {"first_seed", options.first_seed},
+                         {"warmup", options.warmup},
+                         {"camera_fps", place_fps},
+                         {"baseline", options.baseline},
+                         {"intervals", "typical runs"},
+                         {"trimmed_share", trimmed_share},
+                         {"bright_factor", bright_factor},
+                         {"reference_share", options.reference_share},
+                         {"variables", variables_json(options.settings)},
+                         {"planned", std::move(planned)}};
+    head.update(plan.about);
+    return head;
 }
 
 /// Measures a part, prints its tables, returns what the report keeps.
@@ -186,7 +196,7 @@ int run_plan(const Plan& plan) {
             }
         }
     }
-    if (checkpoint.report()["parts"].empty()) return 1;
+    if (failures > 0 && checkpoint.report()["parts"].empty()) return 1;
     if (failures == 0) checkpoint.finish();
     const std::filesystem::path csv = std::filesystem::path(path).replace_extension(".csv");
     write_file(csv, plan_csv(checkpoint.report()));

@@ -6,13 +6,16 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace vigil::bench {
 
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double upper = 0.975; // of a two-sided interval of 95%
+constexpr double false_share =
+    0.05; // of intervals that miss, and of tables with a false comparison
+constexpr double upper = 1.0 - 0.5 * false_share;
 
 double mean(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -26,43 +29,56 @@ double variance(std::span<const double> values) {
     return sum / static_cast<double>(values.size() - 1); // NaN for a single value
 }
 
-double mean_of_means(const Strata& values) {
-    double sum = 0.0;
-    for (const std::vector<double>& view : values)
-        sum += mean(view);
-    return sum / static_cast<double>(values.size());
+/// Upper end of the interval of a mean by Student's t; NaN for a single value. With heavy tails it
+/// is too low, so nothing prints it.
+double upper_end(std::span<const double> values) {
+    const auto count = static_cast<double>(values.size());
+    const double error = std::sqrt(variance(values) / count);
+    if (!std::isfinite(error)) return unknown;
+    return mean(values) + student_t_quantile(upper, count - 1.0) * error;
 }
 
-/// Half the width of the interval of the mean of the views' means.
-double half_width(const Strata& values) {
-    const auto views = static_cast<double>(values.size());
-    double total = 0.0, weighted = 0.0;
-    for (const std::vector<double>& view : values) {
-        const auto count = static_cast<double>(view.size());
-        const double part = variance(view) / (count * views * views);
-        total += part;
-        weighted += part * part / (count - 1.0);
-    }
-    if (total == 0.0) return 0.0;
-    const double degrees = total * total / weighted;
-    if (!std::isfinite(degrees)) return unknown;
-    return student_t_quantile(upper, degrees) * std::sqrt(total);
-}
-
-/// Probability that of `count` values more than `rank` lie below the median: the binomial tail.
-double tail_above(int count, int rank) {
+/// Probability that at most `most` of `count` values lie below their median.
+double tail_below(int count, int most) {
     double sum = 0.0;
-    for (int i = rank + 1; i <= count; ++i)
+    for (int i = 0; i <= most; ++i)
         sum += std::exp(std::lgamma(count + 1.0) - std::lgamma(i + 1.0) -
                         std::lgamma(count - i + 1.0) - count * std::numbers::ln2);
     return sum;
+}
+
+/// Two-sided probability that, of the ratios, as many or more lie on one side of 1. One that is
+/// exactly 1 counts for the smaller side.
+double sign_test(std::span<const double> ratios) {
+    const auto count = static_cast<int>(ratios.size());
+    const auto below =
+        static_cast<int>(std::ranges::count_if(ratios, [](double ratio) { return ratio < 1.0; }));
+    const auto above =
+        static_cast<int>(std::ranges::count_if(ratios, [](double ratio) { return ratio > 1.0; }));
+    return std::min(1.0, 2.0 * tail_below(count, count - std::max(below, above)));
+}
+
+std::vector<double> pooled(const Strata& values) {
+    std::vector<double> all;
+    for (const std::vector<double>& view : values)
+        all.insert(all.end(), view.begin(), view.end());
+    return all;
+}
+
+/// Ratios of pairs, by view.
+Strata ratios_of(const Strata& numerators, const Strata& denominators) {
+    Strata ratios = numerators;
+    for (std::size_t view = 0; view < ratios.size(); ++view)
+        for (std::size_t seed = 0; seed < ratios[view].size(); ++seed)
+            ratios[view][seed] /= denominators[view][seed];
+    return ratios;
 }
 
 } // namespace
 
 double student_t_quantile(double probability, double degrees) {
     // With t = sqrt(degrees) tan(angle) the density becomes cos(angle)^(degrees - 1), up to its
-    // integral over (-pi/2, pi/2). Simpson's rule and bisection on the angle.
+    // integral over (-pi/2, pi/2), here by Simpson's rule.
     const double constant =
         std::exp(std::lgamma(0.5 * (degrees + 1.0)) - std::lgamma(0.5 * degrees)) /
         std::sqrt(std::numbers::pi);
@@ -77,85 +93,118 @@ double student_t_quantile(double probability, double degrees) {
         return 0.5 + constant * sum * step / 3.0;
     };
     const double wanted = std::max(probability, 1.0 - probability);
-    // With many degrees the density is a narrow peak, which the steps must not miss: up to t = 40.
-    double low = 0.0;
-    double high = std::min(0.5 * std::numbers::pi * (1.0 - 1e-12), 40.0 / std::sqrt(degrees));
+    // Newton's method; the density falls, so that it comes from below and never goes too far.
+    double angle = 0.0;
     for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (below(middle) < wanted ? low : high) = middle;
+        const double density = constant * std::pow(std::cos(angle), degrees - 1.0);
+        const double step = (wanted - below(angle)) / density;
+        angle = std::min(angle + step, 0.5 * std::numbers::pi * (1.0 - 1e-12));
+        if (std::abs(step) < 1e-12 * angle) break;
     }
-    const double t = std::sqrt(degrees) * std::tan(low);
+    const double t = std::sqrt(degrees) * std::tan(angle);
     return probability < 0.5 ? -t : t;
 }
 
-Interval mean_interval(const Strata& values) {
-    const double center = mean_of_means(values);
-    const double half = half_width(values);
-    return {center, center - half, center + half};
+double mean_over_views(const Strata& values) {
+    double sum = 0.0;
+    for (const std::vector<double>& view : values)
+        sum += mean(view);
+    return sum / static_cast<double>(values.size());
 }
 
-Interval ratio_interval(const Strata& numerators, const Strata& denominators) {
-    const double above = mean_of_means(numerators);
-    const double below = mean_of_means(denominators);
-    const double ratio = above / below;
-    if (!(above > 0.0 && below > 0.0)) return {ratio, unknown, unknown};
-    // d log(a / b) = da / a - db / b; the same seed of both keeps what they have in common out.
-    Strata changes = numerators;
-    for (std::size_t view = 0; view < changes.size(); ++view)
-        for (std::size_t seed = 0; seed < changes[view].size(); ++seed)
-            changes[view][seed] = numerators[view][seed] / above - denominators[view][seed] / below;
-    const double factor = std::exp(half_width(changes));
-    return {ratio, ratio / factor, ratio * factor};
+double ratio_of_means(const Strata& numerators, const Strata& denominators) {
+    const double above = mean_over_views(numerators);
+    const double below = mean_over_views(denominators);
+    return above > 0.0 && below > 0.0 ? above / below : unknown;
+}
+
+Interval median_interval(std::vector<double> values) {
+    const double center = median(values);
+    if (std::isnan(center)) return {unknown, unknown, unknown};
+    std::ranges::sort(values);
+    const auto count = static_cast<int>(values.size());
+    // The narrowest symmetric pair of order statistics with at least 95%.
+    int rank = -1;
+    while (rank + 1 < count / 2 && tail_below(count, rank + 1) <= 0.5 * false_share)
+        ++rank;
+    if (rank < 0) return {center, unknown, unknown};
+    return {center, values[rank], values[count - 1 - rank]};
+}
+
+Interval typical_run(const Strata& values) {
+    Interval interval = median_interval(pooled(values));
+    if (values.size() < least_views) interval.low = interval.high = unknown;
+    return interval;
+}
+
+Comparison typical_ratio(const Strata& numerators, const Strata& denominators) {
+    const auto is_positive = [](double value) { return value > 0.0; };
+    if (!std::ranges::all_of(pooled(denominators), is_positive))
+        return {{unknown, unknown, unknown}, unknown};
+    const Strata ratios = ratios_of(numerators, denominators);
+    return {typical_run(ratios), sign_test(pooled(ratios))};
 }
 
 Interval ratio_over_views(const Strata& numerators, const Strata& denominators) {
-    std::vector<double> logarithms;
-    for (std::size_t view = 0; view < numerators.size(); ++view)
-        logarithms.push_back(std::log(mean(numerators[view]) / mean(denominators[view])));
+    Strata ratios = ratios_of(numerators, denominators);
+    std::vector<double> logarithms; // the median of each view's: of two ratios the mean is too high
+    for (std::vector<double>& view : ratios) {
+        std::ranges::transform(view, view.begin(), [](double ratio) { return std::log(ratio); });
+        logarithms.push_back(median(std::move(view)));
+    }
+    const auto views = static_cast<double>(logarithms.size());
     const double center = mean(logarithms);
-    const double half = half_width({logarithms});
+    if (logarithms.size() < least_views) return {std::exp(center), unknown, unknown};
+    const double half =
+        student_t_quantile(upper, views - 1.0) * std::sqrt(variance(logarithms) / views);
     return {std::exp(center), std::exp(center - half), std::exp(center + half)};
 }
 
-Interval median_ratio(const Strata& numerators, const Strata& denominators) {
-    std::vector<double> ratios;
-    for (std::size_t view = 0; view < numerators.size(); ++view)
-        for (std::size_t seed = 0; seed < numerators[view].size(); ++seed)
-            ratios.push_back(numerators[view][seed] / denominators[view][seed]);
-    std::sort(ratios.begin(), ratios.end());
-    const auto count = static_cast<int>(ratios.size());
-    // The narrowest symmetric pair of order statistics with at least 95%.
-    int rank = -1;
-    while (rank + 1 < count / 2 && tail_above(count, count - 2 - rank) <= 1.0 - upper)
-        ++rank;
-    const double center = median(ratios);
-    if (rank < 0) return {center, unknown, unknown};
-    return {center, ratios[rank], ratios[count - 1 - rank]};
+Interval ratio_over_flights(const Strata& numerators, const Strata& denominators) {
+    const Strata ratios = ratios_of(numerators, denominators);
+    std::vector<double> flights;
+    for (std::size_t flight = 0; flight < ratios.front().size(); ++flight) {
+        std::vector<double> frames;
+        for (const std::vector<double>& frame : ratios)
+            frames.push_back(frame[flight]);
+        flights.push_back(median(std::move(frames)));
+    }
+    return median_interval(std::move(flights));
 }
 
-Interval product(const Interval& a, const Interval& b) {
-    const double value = a.value * b.value;
-    const double down = std::hypot(std::log(a.low / a.value), std::log(b.low / b.value));
-    const double up = std::hypot(std::log(a.high / a.value), std::log(b.high / b.value));
-    return {value, value * std::exp(-down), value * std::exp(up)};
+std::vector<bool> stands_out(std::span<const double> p) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (!std::isnan(p[i])) order.push_back(i);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return p[i]; });
+    std::vector<bool> result(p.size());
+    for (std::size_t done = 0; done < order.size(); ++done) {
+        const auto left = static_cast<double>(order.size() - done);
+        if (p[order[done]] * left > false_share) break;
+        result[order[done]] = true;
+    }
+    return result;
 }
 
-Interval widened(const Interval& interval, double standard_error) {
-    constexpr double normal_quantile = 1.959964; // the reference has tens of batches
-    const double other = normal_quantile * standard_error;
-    return {interval.value, interval.value - std::hypot(interval.value - interval.low, other),
-            interval.value + std::hypot(interval.high - interval.value, other)};
+Strata times(const Strata& a, const Strata& b) {
+    Strata result = a;
+    for (std::size_t view = 0; view < result.size(); ++view)
+        for (std::size_t seed = 0; seed < result[view].size(); ++seed)
+            result[view][seed] *= b[view][seed];
+    return result;
 }
 
 double median(std::vector<double> values) {
-    if (values.empty()) return unknown;
-    std::sort(values.begin(), values.end());
+    if (values.empty() ||
+        std::ranges::any_of(values, [](double value) { return std::isnan(value); }))
+        return unknown;
+    std::ranges::sort(values);
     return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
 bool misses_light(const Strata& mean_ratio) {
     return std::ranges::any_of(mean_ratio, [](const std::vector<double>& view) {
-        return mean_interval({view}).high < 1.0 - missing_share;
+        return upper_end(view) < 1.0 - missing_share;
     });
 }
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Statistics of the quality benchmark: means and ratios over repeated, stratified measurements with
-// their confidence intervals, and the error of a picture against a noisy reference. A stratum is a
-// view, a repeat a seed. No GPU, no files; what the intervals assume is in docs/quality.md.
+// Statistics of the quality benchmark: what repeated measurements by view and seed say, and the
+// error of a picture against a noisy reference. Squared errors have heavy tails, so an interval is
+// about the typical run (a median), never about a mean; docs/quality.md says why. No GPU, no files.
 #pragma once
 
 #include "bench/reference.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace vigil::bench {
 
-/// An estimate and its 95% confidence interval; low and high are NaN where the data do not give one
-/// (one seed, or an estimate that is not positive where a ratio needs it).
+/// An estimate and its 95% confidence interval; low and high are NaN where the data do not give
+/// one.
 struct Interval {
     double value = 0.0;
     double low = 0.0;
@@ -22,33 +23,54 @@ struct Interval {
 /// Measurements by view and seed, [view][seed]; every view has at least one.
 using Strata = std::vector<std::vector<double>>;
 
-/// x with P(T <= x) = probability for Student's t with `degrees` > 0 degrees of freedom (not
+/// Fewest views for an interval over runs: few places do not speak for a level.
+inline constexpr std::size_t least_views = 4;
+
+/// x with P(T <= x) = probability for Student's t with `degrees` >= 1 degrees of freedom (not
 /// necessarily whole), for |x| < 40: relative error below 1e-5. `probability` in (0, 1).
 double student_t_quantile(double probability, double degrees);
 
-/// Mean of the views' means. The interval is about the seeds, for these very views: Student's t
-/// with the degrees of freedom of Welch and Satterthwaite.
-Interval mean_interval(const Strata& values);
+/// Mean of the views' means.
+double mean_over_views(const Strata& values);
 
-/// mean(numerators) / mean(denominators), measured in pairs: the same view and seed of two
-/// techniques. The interval is about the seeds: delta method on the logarithm of the ratio.
-Interval ratio_interval(const Strata& numerators, const Strata& denominators);
+/// mean_over_views of both, divided; NaN where one of them is not positive.
+double ratio_of_means(const Strata& numerators, const Strata& denominators);
 
-/// Geometric mean of the views' own ratios, and an interval about other views like these: Student's
-/// t over the logarithms, views - 1 degrees of freedom.
+/// Median of independent repeats. The interval is that of the order statistics: it holds for any
+/// distribution, and for repeats of different distributions it is about the median of their mix
+/// (Hoeffding 1956). NaN bounds below six values, of which the extremes hold 96.9%.
+Interval median_interval(std::vector<double> values);
+
+/// Median over all runs, about other seeds at these very views: median_interval from least_views
+/// on.
+Interval typical_run(const Strata& values);
+
+/// How two rows differ in a typical run.
+struct Comparison {
+    Interval ratio; // as typical_run
+    double p = 1.0; // probability of pairs so unevenly split if the median ratio were 1 (sign test)
+};
+
+/// Median of numerator / denominator over pairs of the same view and seed. Where a denominator is
+/// not positive, all is NaN. `p` needs no least_views: it belongs to these views.
+Comparison typical_ratio(const Strata& numerators, const Strata& denominators);
+
+/// Geometric mean over the views of their median ratios, and an interval about other views like
+/// these: Student's t over the logarithms, views - 1 degrees of freedom; from least_views on.
 Interval ratio_over_views(const Strata& numerators, const Strata& denominators);
 
-/// Median of paired ratios of times, for which single repeats can be far off. The interval is that
-/// of the order statistics (binomial, no assumption on the distribution), NaN below six pairs.
-Interval median_ratio(const Strata& numerators, const Strata& denominators);
+/// Median over flights of each flight's median ratio over its frames, [frame][flight]. What else
+/// the machine does lasts for many frames, so a flight counts once: six of them have an interval.
+Interval ratio_over_flights(const Strata& numerators, const Strata& denominators);
 
-/// a * b of independent, positive estimates whose intervals are as wide on both sides of the value
-/// on a logarithmic scale: the widths' squares add up. NaN bounds where one of them has none.
-Interval product(const Interval& a, const Interval& b);
+/// Which of a table's comparisons are not chance, by their p: at most 5% of tables name a false one
+/// (Holm 1979). NaN is none of the comparisons.
+std::vector<bool> stands_out(std::span<const double> p);
 
-/// The same interval widened by an independent error with this standard error.
-Interval widened(const Interval& interval, double standard_error);
+/// Products of single runs.
+Strata times(const Strata& a, const Strata& b);
 
+/// NaN without values, or where one is NaN.
 double median(std::vector<double> values);
 
 /// Share of the reference's light that frames may lack before their errors say too little.

@@ -17,7 +17,7 @@ ordered_json to_json(const std::vector<Strata>& curve) {
     const Settled settled = settled_of(curve);
     ordered_json frames = ordered_json::array();
     for (const Strata& frame : curve) {
-        frames.push_back(to_json(mean_interval(frame)));
+        frames.push_back(values_json(frame));
         frames.back()["by_view_and_seed"] = frame;
     }
     return {{"settled", settled.level},
@@ -47,7 +47,7 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
         if (!view.pictures.empty()) list.back()["pictures"] = view.pictures;
         if (view.floor.pixels > 0)
             list.back()["floor"] = {{"variance", view.floor.variance},
-                                    {"error", view.floor.error},
+                                    {"halves", view.floor.halves},
                                     {"pixels", view.floor.pixels}};
     }
     return list;
@@ -57,6 +57,16 @@ ordered_json to_json(const std::vector<ViewResult>& views) {
 
 ordered_json to_json(const Interval& interval) {
     return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};
+}
+
+ordered_json to_json(const Comparison& comparison) {
+    ordered_json json = to_json(comparison.ratio);
+    json["p"] = comparison.p;
+    return json;
+}
+
+ordered_json values_json(const Strata& values) {
+    return {{"value", mean_over_views(values)}, {"median", to_json(typical_run(values))}};
 }
 
 ordered_json to_json(const QualityRow& row) {
@@ -73,7 +83,7 @@ ordered_json variables_json(std::span<const Setting> settings) {
 Settled settled_of(const std::vector<Strata>& curve) {
     std::vector<double> means;
     for (const Strata& frame : curve)
-        means.push_back(mean_interval(frame).value);
+        means.push_back(mean_over_views(frame));
     return settle(means, settled_tail, settled_factor);
 }
 
@@ -84,22 +94,26 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
     ordered_json rows = ordered_json::array();
     for (const RowResult& row : result.rows) {
         ordered_json json = to_json(row.row);
-        const auto put = [&](const std::string& name, Strata RowResult::*member,
-                             const Interval& interval) {
-            json[name] = to_json(interval);
+        const auto add = [&](const std::string& name, Strata RowResult::*member) {
+            json[name] = values_json(row.*member);
             json[name]["by_view_and_seed"] = row.*member;
         };
-        const auto add = [&](const std::string& name, Strata RowResult::*member) {
-            put(name, member, mean_interval(row.*member));
-        };
         const auto add_error = [&](const std::string& name, Strata RowResult::*member) {
-            put(name, member, error_interval(row, member));
-            json[name]["ratio"] = to_json(error_ratio(row, *baseline, member));
-            json[name]["ratio_over_views"] =
-                to_json(error_ratio_over_views(row, *baseline, member));
+            add(name, member);
+            const ErrorRatios ratios = error_ratios(row, *baseline, member);
+            json[name]["ratio"] = {{"value", ratios.means}};
+            json[name]["typical"] = to_json(ratios.typical);
+            json[name]["ratio_over_views"] = to_json(ratios.over_views);
+        };
+        const auto add_equal_time = [&](const std::string& name, Strata RowResult::*member) {
+            const ErrorRatios ratios = at_equal_time(row, *baseline, member);
+            json[name]["ratio_at_equal_time"] = {{"value", ratios.means}};
+            json[name]["typical_at_equal_time"] = to_json(ratios.typical);
         };
         add_error("mse", &RowResult::mse);
+        add_equal_time("mse", &RowResult::mse);
         add_error("trimmed_mse", &RowResult::trimmed_mse);
+        add_equal_time("trimmed_mse", &RowResult::trimmed_mse);
         add("trimmed_variance", &RowResult::trimmed_variance);
         if (!row.bright_mse.empty()) {
             add_error("bright_mse", &RowResult::bright_mse);
@@ -111,17 +125,15 @@ ordered_json quality_json(const QualityOptions& options, const LevelResult& resu
         add("unlit", &RowResult::unlit);
         add("explored", &RowResult::explored);
         add("path_ms", &RowResult::path_ms);
-        json["path_ms"]["ratio"] = to_json(median_ratio(row.path_ms, baseline->path_ms));
+        json["path_ms"]["ratio"] = to_json(typical_ratio(row.path_ms, baseline->path_ms));
         add("prepare_ms", &RowResult::prepare_ms);
-        json["prepare_ms"]["share_of_path"] = to_json(median_ratio(row.prepare_ms, row.path_ms));
+        json["prepare_ms"]["share_of_path"] =
+            to_json(typical_ratio(row.prepare_ms, row.path_ms).ratio);
         add("frame_ms", &RowResult::frame_ms);
-        json["frame_ms"]["ratio"] = to_json(median_ratio(row.frame_ms, baseline->frame_ms));
-        json["mse"]["ratio_at_equal_time"] = to_json(equal_time(row, *baseline, &RowResult::mse));
-        json["trimmed_mse"]["ratio_at_equal_time"] =
-            to_json(equal_time(row, *baseline, &RowResult::trimmed_mse));
+        json["frame_ms"]["ratio"] = to_json(typical_ratio(row.frame_ms, baseline->frame_ms));
         json["efficiency"] = {{"value", efficiency(row, &RowResult::mse)},
                               {"trimmed", efficiency(row, &RowResult::trimmed_mse)}};
-        if (options.floor) json["floor_over_mse"] = to_json(share_of_floor(result.views, row));
+        if (options.floor) json["floor_over_mse"] = {{"value", share_of_floor(result.views, row)}};
         ordered_json passes = ordered_json::object();
         for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
             passes[std::string(vkpt::pass_names[pass])] = row.pass_ms[pass];

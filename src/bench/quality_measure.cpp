@@ -7,15 +7,22 @@
 #include "common/error.h"
 #include "refresh/vkpt/passes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vigil::bench {
 
 namespace {
 
-/// Before this many batches a reference's own variance is not believed.
+/// Fewer batches than these do not tell their own variance.
 constexpr int least_batches = 6;
 
 using Run = std::vector<std::vector<float>>;    // a picture per frame
@@ -33,29 +40,29 @@ double smallest_mse(const Pictures& pictures, const Reference& reference) {
     return smallest;
 }
 
-/// The reference of a place, from the cache and with more batches until it is good enough for the
-/// pictures, or has the most paths.
+/// The reference of a place, from the cache and with as many batches as make it good enough for the
+/// pictures, by what a pilot says, or the most paths.
 ViewResult make_reference(const QualityOptions& options, QualityRenderer& renderer,
                           const Place& place, Progress& progress, Reference& reference,
                           const Pictures& pictures) {
-    const Pose& pose = place.measured();
     const int most = std::max(least_batches, options.reference_paths / reference_batch_paths);
-    const auto good = [&] {
-        return reference.batches() >= least_batches &&
-               reference.mean_variance() <=
-                   options.reference_share * smallest_mse(pictures, reference);
+    const auto wanted_variance = [&](const Reference& measured_against) {
+        return options.reference_share * smallest_mse(pictures, measured_against);
     };
-    renderer.complete(reference, pose,
-                      {options.reference, options.warmup, options.fresh,
-                       [&] { return good() || reference.batches() >= most; },
-                       [&] {
-                           progress.note(fmt::format("reference, {} paths",
-                                                     reference.batches() * reference_batch_paths));
-                       }});
+    renderer.complete(
+        reference, place.measured(),
+        {options.reference, options.warmup, options.fresh,
+         [&](const Reference& pilot) {
+             return std::max(least_batches, batches_for(pilot, wanted_variance(pilot), most));
+         },
+         0,
+         [&](int batches) {
+             progress.note(fmt::format("reference, {} paths", batches * reference_batch_paths));
+         }});
     return {place,
             options.reference.label,
             reference.batches() * reference_batch_paths,
-            good(),
+            reference.mean_variance() <= wanted_variance(reference),
             reference.picture_mean(),
             reference.picture_mean_error(),
             reference.mean_variance(),

@@ -7,6 +7,8 @@
 #include "bench/quality_report.h"
 #include "common/progress.h"
 
+#include <string>
+
 namespace vigil::bench {
 
 /// Errors and times of single frames. One step of progress for every view, seed and row.

@@ -8,6 +8,8 @@
 #include "shared/techniques.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace vigil::bench {
 
@@ -17,7 +19,7 @@ constexpr std::string_view usage =
     "--level NAME, --basedir FOLDER, --shared, --views N, --seeds S, --first-seed N, --warmup W, "
     "--frames N, --size WxH, --technique NAME, --variant LABEL:NAME=VALUE,..., --set NAME VALUE, "
     "--baseline LABEL, --reference ROW, --reference-paths N, --fresh, --floor, --quick, --part "
-    "NAME, --keep, --json FILE, --pictures FOLDER";
+    "NAME, --keep, --json FILE, --trade FILE, --pictures FOLDER";
 
 /// Where rays alone find the light (a sun behind a gap), nothing else converges in time.
 const std::string default_reference = "vlc+cdq";
@@ -131,6 +133,11 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
         {"--part", [&] { options.parts.push_back(value()); }},
         {"--keep", [&] { options.keep = true; }},
         {"--json", [&] { options.json = value(); }},
+        {"--trade",
+         [&] {
+             if (options.trade.empty()) fail("--trade belongs to confirm");
+             options.trade = value();
+         }},
         {"--pictures", [&] { options.pictures = value(); }},
     };
     words.run(actions, usage);

@@ -53,6 +53,7 @@ struct QualityOptions {
     bool keep = false;              // a finished report of the same measurement is left as it is
     std::vector<std::string> parts; // only those parts whose names begin so; empty: all
     std::string json;               // empty: NAME.json below outdir
+    std::string trade;              // of `confirm`: the report whose values are measured again
     std::string pictures;           // folder for pictures of references and runs; empty: none
 };
 

@@ -11,9 +11,16 @@
 #include "refresh/vkpt/passes.h"
 #include "refresh/vkpt/shader_library.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
 
 namespace vigil::bench {
 
@@ -248,21 +255,48 @@ std::string QualityRenderer::reference_key(const Pose& pose, const QualityRow& r
 }
 
 void QualityRenderer::complete(Reference& reference, const Pose& pose, const ReferenceJob& job) {
+    // A picture being completed, and where it is kept.
+    struct Kept {
+        Reference& picture;
+        std::string key;
+        std::filesystem::path path;
+    };
+    const auto bring = [&](Reference& picture, std::string key) {
+        std::filesystem::path path = output_path(
+            fmt::format("cache/reference-{:016x}.bin", hash_bytes(std::as_bytes(std::span(key)))));
+        if (!job.fresh && !picture.load(path, key) && std::filesystem::exists(path))
+            log_warning("{}: damaged or of an older version; this reference is rendered anew",
+                        path.string());
+        return Kept{picture, std::move(key), std::move(path)};
+    };
     const std::string key = reference_key(pose, job.row);
-    const std::filesystem::path path = output_path(
-        fmt::format("cache/reference-{:016x}.bin", hash_bytes(std::as_bytes(std::span(key)))));
-    if (!job.fresh && !reference.load(path, key) && std::filesystem::exists(path))
-        log_warning("{}: damaged or of an older version; this reference is rendered anew",
-                    path.string());
-    const int before = reference.batches();
-    while (!job.finished()) {
-        if (reference.batches() == before) begin_reference(pose, job.row, job.warmup);
-        reference.add(reference_batch(pose, reference.batches()));
-        job.noted();
+    const Kept kept = bring(reference, key);
+    Reference pilot(reference.values());
+    const Kept kept_pilot = bring(pilot, key + " pilot");
+
+    bool is_begun = false;
+    bool is_saved = true;
+    const auto batch = [&](int number) {
+        if (!is_begun) begin_reference(pose, job.row, job.warmup);
+        is_begun = true;
+        return reference_batch(pose, number);
+    };
+    const auto added = [&](bool is_pilot) {
+        const Kept& to = is_pilot ? kept_pilot : kept;
+        const int batches = to.picture.batches();
         // So that an interrupted run loses little.
-        if (reference.batches() % 16 == 0) reference.save(path, key);
-    }
-    if (reference.batches() > before) reference.save(path, key);
+        is_saved = is_pilot || batches % 16 == 0;
+        if (is_saved) to.picture.save(to.path, to.key);
+        job.noted(batches);
+    };
+    if (job.batches_wanted)
+        complete_reference(pilot, reference, {batch, job.batches_wanted, added});
+    else
+        while (reference.batches() < job.batches) {
+            reference.add(batch(reference.batches()));
+            added(false);
+        }
+    if (!is_saved) reference.save(kept.path, kept.key);
 }
 
 } // namespace vigil::bench

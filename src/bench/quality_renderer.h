@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vigil::bench {
@@ -79,13 +80,15 @@ public:
     /// Who renders a reference, and how.
     struct ReferenceJob {
         const QualityRow& row;
-        int warmup;                     // frames before the first batch
-        bool fresh;                     // does not go on with the one in the cache
-        std::function<bool()> finished; // asked before every batch
-        std::function<void()> noted;    // called after every batch
+        int warmup; // frames before the first batch
+        bool fresh; // does not go on with the one in the cache
+        /// How many batches, by a pilot; empty: `batches`, without a pilot.
+        std::function<int(const Reference& pilot)> batches_wanted;
+        int batches = 0;
+        std::function<void(int batches)> noted; // called after every batch, with how many there are
     };
-    /// Brings the reference of a pose from the cache and adds batches until it is finished; they go
-    /// into the cache.
+    /// Brings the reference of a pose, and its pilot, from the cache and completes them
+    /// (complete_reference); what is new goes into the cache.
     void complete(Reference& reference, const Pose& pose, const ReferenceJob& job);
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What experiments about quality found, and how it is told: tables for people, JSON for programs.
-// Every number has its interval and the reference's error beside it. No GPU.
+// Every number has the reference's error beside it, and an interval where there is one. No GPU.
 #pragma once
 
 #include "bench/light_floor.h"
@@ -66,23 +66,26 @@ struct CurveResult {
 /// The settled error of a curve and the frame where it is reached.
 Settled settled_of(const std::vector<Strata>& curve);
 
-/// A row's error, one of the Strata above, and its ratios to the baseline's: mean_interval,
-/// ratio_interval and ratio_over_views. Where a row misses light (misses_light), its error has no
-/// bounds, and ratios are NaN altogether.
-Interval error_interval(const RowResult& row, Strata RowResult::*error);
-Interval error_ratio(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
-Interval error_ratio_over_views(const RowResult& row, const RowResult& baseline,
-                                Strata RowResult::*error);
+/// A row's error, one of the Strata above, over the baseline's; all NaN where one of them misses
+/// light (misses_light).
+struct ErrorRatios {
+    double means = 0.0; // ratio_of_means
+    Comparison typical; // typical_ratio
+    Interval over_views;
+};
+ErrorRatios error_ratios(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
 
-/// The ratio of errors when both rows may take as long: variance falls with the number of samples,
-/// so it is that at equal samples times that of the frames' times.
-Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error);
+/// The same when both rows may take as long: variance falls with the number of samples, so it is
+/// error times frame time that is compared, run by run. Without `over_views`; `error` has all
+/// views.
+ErrorRatios at_equal_time(const RowResult& row, const RowResult& baseline,
+                          Strata RowResult::*error);
 
 /// 1 / (error x seconds of a frame), the efficiency of an estimator.
 double efficiency(const RowResult& row, Strata RowResult::*error);
 
 /// The floor over a row's error: 1 is a perfect choice of lights.
-Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row);
+double share_of_floor(const std::vector<ViewResult>& views, const RowResult& row);
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result);
 std::string curve_text(const QualityOptions& options, const CurveResult& result);
@@ -90,6 +93,9 @@ std::string curve_text(const QualityOptions& options, const CurveResult& result)
 nlohmann::ordered_json quality_json(const QualityOptions& options, const LevelResult& result);
 nlohmann::ordered_json curve_json(const CurveResult& result);
 nlohmann::ordered_json to_json(const Interval& interval);
+nlohmann::ordered_json to_json(const Comparison& comparison);
+/// The mean and the typical run.
+nlohmann::ordered_json values_json(const Strata& values);
 nlohmann::ordered_json to_json(const QualityRow& row);
 /// Name: value.
 nlohmann::ordered_json variables_json(std::span<const Setting> settings);

@@ -5,10 +5,15 @@
 #include "common/error.h"
 #include "refresh/vkpt/passes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace vigil::bench {
 
@@ -37,19 +42,11 @@ std::string percent_range(const Interval& interval) {
                        percent(interval.high));
 }
 
-double mean_over_views(const std::vector<ViewResult>& views, double ViewResult::*member) {
+double mean_of(const std::vector<ViewResult>& views, double ViewResult::*member) {
     double sum = 0.0;
     for (const ViewResult& view : views)
         sum += view.*member;
     return sum / static_cast<double>(views.size());
-}
-
-/// Standard error of mean_ratio's mean that comes from the references.
-double reference_mean_error(const std::vector<ViewResult>& views) {
-    double sum = 0.0;
-    for (const ViewResult& view : views)
-        sum += std::pow(view.mean_error / view.mean, 2.0);
-    return std::sqrt(sum) / static_cast<double>(views.size());
 }
 
 /// What is wrong with a view's reference, if anything.
@@ -72,9 +69,17 @@ std::string views_text(const std::vector<ViewResult>& views) {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A ratio, or nothing where the data do not tell it.
-Interval ratio_if(bool told, const Interval& ratio) {
-    return told ? ratio : Interval{unknown, unknown, unknown};
+/// Which rows a table marks, by what it compares.
+std::vector<bool> marked_rows(const LevelResult& result, const RowResult& baseline,
+                              const std::function<Comparison(const RowResult&)>& compare) {
+    std::vector<double> chances;
+    for (const RowResult& row : result.rows)
+        chances.push_back(&row == &baseline ? unknown : compare(row).p);
+    return stands_out(chances);
+}
+
+std::string marked(double value, bool is_marked) {
+    return number(value) + (is_marked ? "*" : " ");
 }
 
 /// One table of errors: values, ratios to the baseline, and the reference's share.
@@ -82,17 +87,21 @@ std::string error_table(const QualityOptions& options, const LevelResult& result
                         Strata RowResult::*member, const char* name,
                         const std::function<double(const RowResult&)>& reference_variance) {
     const RowResult& baseline = baseline_of(options, result);
-    std::string text = fmt::format("{:<14}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n",
-                                   "  row", name, "95%", "/ " + options.baseline, "95% these views",
+    const std::vector<bool> marks = marked_rows(result, baseline, [&](const RowResult& row) {
+        return error_ratios(row, baseline, member).typical;
+    });
+    std::string text = fmt::format("{:<14}{:>10}{:>12}{:>14} {:<20}{:>9}  {:<20}{:>10}\n", "  row",
+                                   name, "/ " + options.baseline, "typical run ", "95% these views",
                                    "by view", "95% other views", "reference");
-    for (const RowResult& row : result.rows) {
-        const Interval value = error_interval(row, member);
-        const Interval ratio = error_ratio(row, baseline, member);
-        const Interval over = error_ratio_over_views(row, baseline, member);
-        text += fmt::format("  {:<12}{:>10}  {:<22}{:>8}  {:<20}{:>8}  {:<20}{:>10}\n",
-                            row.row.label, number(value.value), range(value), number(ratio.value),
-                            range(ratio), number(over.value), range(over),
-                            percent(reference_variance(row) / value.value));
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        const RowResult& row = result.rows[i];
+        const double value = mean_over_views(row.*member);
+        const ErrorRatios ratios = error_ratios(row, baseline, member);
+        text += fmt::format("  {:<12}{:>10}{:>12}{:>14} {:<20}{:>9}  {:<20}{:>10}\n", row.row.label,
+                            number(value), number(ratios.means),
+                            marked(ratios.typical.ratio.value, marks[i]),
+                            range(ratios.typical.ratio), number(ratios.over_views.value),
+                            range(ratios.over_views), percent(reference_variance(row) / value));
     }
     return text;
 }
@@ -102,15 +111,15 @@ std::string ratios_by_view(const QualityOptions& options, const LevelResult& res
     std::string text;
     for (const auto& [member, name] :
          {std::pair(&RowResult::mse, "MSE"), std::pair(&RowResult::trimmed_mse, "trimmed MSE")}) {
-        text += fmt::format("  {} / {} view by view\n", name, options.baseline);
+        text += fmt::format("  {} / {} in the typical run, view by view\n", name, options.baseline);
         for (const RowResult& row : result.rows) {
             text += fmt::format("  {:<12}", row.row.label);
             for (std::size_t view = 0; view < result.views.size(); ++view) {
                 const bool told = !misses_light({row.mean_ratio[view]}) &&
                                   !misses_light({baseline.mean_ratio[view]});
-                const Interval ratio = ratio_if(
-                    told, ratio_interval({(row.*member)[view]}, {(baseline.*member)[view]}));
-                text += fmt::format("{:>8}  {:<18}", number(ratio.value), range(ratio));
+                const Comparison seen =
+                    typical_ratio({(row.*member)[view]}, {(baseline.*member)[view]});
+                text += fmt::format("{:>10}", number(told ? seen.ratio.value : unknown));
             }
             text += '\n';
         }
@@ -118,7 +127,7 @@ std::string ratios_by_view(const QualityOptions& options, const LevelResult& res
     return text;
 }
 
-/// Why rows have no intervals, if some have none.
+/// Why rows have no ratios, if some have none.
 std::string light_warning(const LevelResult& result) {
     std::string names;
     for (const RowResult& row : result.rows)
@@ -127,21 +136,22 @@ std::string light_warning(const LevelResult& result) {
     if (names.empty()) return {};
     return fmt::format(
         "  {}: at some place these frames miss light of the reference, which comes in "
-        "few, bright frames: no intervals\n",
+        "few, bright frames: no ratios\n",
         names);
 }
 
 std::string sample_table(const LevelResult& result) {
-    std::string text = fmt::format("{:<14}{:<30}{:<30}{:<30}\n", "  row", "mean - reference",
-                                   "samples with no contribution", "samples that explore");
-    const double error = reference_mean_error(result.views);
+    std::string text =
+        fmt::format("{:<14}{:<18}{:<30}{:<30}{:<30}\n", "  row", "mean - reference", "typical run",
+                    "samples with no contribution", "samples that explore");
     for (const RowResult& row : result.rows) {
-        Interval mean = widened(mean_interval(row.mean_ratio), error);
+        Interval mean = typical_run(row.mean_ratio);
         for (double* value : {&mean.value, &mean.low, &mean.high})
             *value -= 1.0;
-        text += fmt::format("  {:<12}{:<30}{:<30}{:<30}\n", row.row.label, percent_range(mean),
-                            percent_range(mean_interval(row.unlit)),
-                            percent_range(mean_interval(row.explored)));
+        text += fmt::format("  {:<12}{:<18}{:<30}{:<30}{:<30}\n", row.row.label,
+                            percent(mean_over_views(row.mean_ratio) - 1.0), percent_range(mean),
+                            percent_range(typical_run(row.unlit)),
+                            percent_range(typical_run(row.explored)));
     }
     return text;
 }
@@ -177,8 +187,8 @@ std::string time_table(const QualityOptions& options, const LevelResult& result)
     text += fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>12}{:>8}  {:<20}\n", "  row", "path trace",
                         "/ " + options.baseline, "95%", "guiding", "/ path", "95%");
     for (const RowResult& row : result.rows) {
-        const Interval path = median_ratio(row.path_ms, baseline.path_ms);
-        const Interval prepare = median_ratio(row.prepare_ms, row.path_ms);
+        const Interval path = typical_ratio(row.path_ms, baseline.path_ms).ratio;
+        const Interval prepare = typical_ratio(row.prepare_ms, row.path_ms).ratio;
         text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>12.2f}{:>8}  {:<20}\n", row.row.label,
                             median_of(row.path_ms), number(path.value), range(path),
                             median_of(row.prepare_ms), number(prepare.value), range(prepare));
@@ -188,17 +198,29 @@ std::string time_table(const QualityOptions& options, const LevelResult& result)
 
 std::string equal_time_table(const QualityOptions& options, const LevelResult& result) {
     const RowResult& baseline = baseline_of(options, result);
-    std::string text = fmt::format("{:<14}{:>12}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}{:>12}\n",
-                                   "  equal time", "frame, ms", "/ " + options.baseline, "95%",
-                                   "MSE", "95%", "trimmed", "95%", "1/(MSE s)");
-    for (const RowResult& row : result.rows) {
-        const Interval time = median_ratio(row.frame_ms, baseline.frame_ms);
-        const Interval mse = equal_time(row, baseline, &RowResult::mse);
-        const Interval trimmed = equal_time(row, baseline, &RowResult::trimmed_mse);
-        text += fmt::format("  {:<12}{:>12.2f}{:>8}  {:<20}{:>10}  {:<20}{:>10}  {:<20}{:>12}\n",
-                            row.row.label, median_of(row.frame_ms), number(time.value), range(time),
-                            number(mse.value), range(mse), number(trimmed.value), range(trimmed),
-                            number(efficiency(row, &RowResult::mse)));
+    const auto marks_of = [&](Strata RowResult::*error) {
+        return marked_rows(result, baseline, [&, error](const RowResult& row) {
+            return at_equal_time(row, baseline, error).typical;
+        });
+    };
+    const std::vector<bool> mse_marks = marks_of(&RowResult::mse);
+    const std::vector<bool> trimmed_marks = marks_of(&RowResult::trimmed_mse);
+    std::string text =
+        fmt::format("{:<14}{:>10}{:>9}  {:<18}{:>10}{:>14} {:<18}{:>10}{:>14} {:<18}{:>12}\n",
+                    "  equal time", "frame, ms", "/ " + options.baseline, "95%", "MSE",
+                    "typical run ", "95%", "trimmed", "typical run ", "95%", "1/(MSE s)");
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        const RowResult& row = result.rows[i];
+        const Interval time = typical_ratio(row.frame_ms, baseline.frame_ms).ratio;
+        const ErrorRatios mse = at_equal_time(row, baseline, &RowResult::mse);
+        const ErrorRatios trimmed = at_equal_time(row, baseline, &RowResult::trimmed_mse);
+        text += fmt::format(
+            "  {:<12}{:>10.2f}{:>9}  {:<18}{:>10}{:>14} {:<18}{:>10}{:>14} {:<18}{:>12}\n",
+            row.row.label, median_of(row.frame_ms), number(time.value), range(time),
+            number(mse.means), marked(mse.typical.ratio.value, mse_marks[i]),
+            range(mse.typical.ratio), number(trimmed.means),
+            marked(trimmed.typical.ratio.value, trimmed_marks[i]), range(trimmed.typical.ratio),
+            number(efficiency(row, &RowResult::mse)));
     }
     return text;
 }
@@ -206,15 +228,13 @@ std::string equal_time_table(const QualityOptions& options, const LevelResult& r
 std::string floor_table(const LevelResult& result) {
     std::string text = "  floor: the error that the best choice of one light leaves\n";
     for (const ViewResult& view : result.views)
-        text +=
-            fmt::format("  {:<20}{:>14} +- {} ({} pixels)\n", view.place.name,
-                        number(view.floor.variance), number(view.floor.error), view.floor.pixels);
-    text += fmt::format("{:<14}{:>12}  {:<20}\n", "  row", "floor / MSE", "95%");
-    for (const RowResult& row : result.rows) {
-        const Interval share = share_of_floor(result.views, row);
-        text += fmt::format("  {:<12}{:>12}  {:<20}\n", row.row.label, number(share.value),
-                            range(share));
-    }
+        text += fmt::format("  {:<20}{:>14} (by either half of {} pixels {} and {})\n",
+                            view.place.name, number(view.floor.variance), view.floor.pixels,
+                            number(view.floor.halves[0]), number(view.floor.halves[1]));
+    text += fmt::format("{:<14}{:>12}\n", "  row", "floor / MSE");
+    for (const RowResult& row : result.rows)
+        text += fmt::format("  {:<12}{:>12}\n", row.row.label,
+                            number(share_of_floor(result.views, row)));
     return text;
 }
 
@@ -239,65 +259,60 @@ bool comparable(const RowResult& row, const RowResult& baseline) {
 
 } // namespace
 
-Interval error_interval(const RowResult& row, Strata RowResult::*error) {
-    Interval interval = mean_interval(row.*error);
-    if (misses_light(row.mean_ratio)) interval.low = interval.high = unknown;
-    return interval;
+ErrorRatios error_ratios(const RowResult& row, const RowResult& baseline,
+                         Strata RowResult::*error) {
+    constexpr Interval nothing = {unknown, unknown, unknown};
+    if (!comparable(row, baseline)) return {unknown, {nothing, unknown}, nothing};
+    return {ratio_of_means(row.*error, baseline.*error), typical_ratio(row.*error, baseline.*error),
+            ratio_over_views(row.*error, baseline.*error)};
 }
 
-Interval error_ratio(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
-    return ratio_if(comparable(row, baseline), ratio_interval(row.*error, baseline.*error));
+ErrorRatios at_equal_time(const RowResult& row, const RowResult& baseline,
+                          Strata RowResult::*error) {
+    ErrorRatios ratios = error_ratios(row, baseline, error);
+    ratios.over_views = {unknown, unknown, unknown};
+    if (!comparable(row, baseline)) return ratios;
+    ratios.means *= typical_ratio(row.frame_ms, baseline.frame_ms).ratio.value;
+    ratios.typical =
+        typical_ratio(times(row.*error, row.frame_ms), times(baseline.*error, baseline.frame_ms));
+    return ratios;
 }
 
-Interval error_ratio_over_views(const RowResult& row, const RowResult& baseline,
-                                Strata RowResult::*error) {
-    return ratio_if(comparable(row, baseline), ratio_over_views(row.*error, baseline.*error));
-}
-
-Interval share_of_floor(const std::vector<ViewResult>& views, const RowResult& row) {
-    Strata floors;
-    double variance = 0.0, squared_error = 0.0;
-    for (std::size_t view = 0; view < views.size(); ++view) {
-        const LightFloor& floor = views[view].floor;
-        floors.emplace_back(row.mse[view].size(), floor.variance);
-        variance += floor.variance;
-        squared_error += floor.error * floor.error;
-    }
-    const double share = std::sqrt(squared_error) / variance;
-    return ratio_if(!misses_light(row.mean_ratio),
-                    product(ratio_interval(floors, row.mse), widened({1.0, 1.0, 1.0}, share)));
-}
-
-Interval equal_time(const RowResult& row, const RowResult& baseline, Strata RowResult::*error) {
-    return product(error_ratio(row, baseline, error),
-                   median_ratio(row.frame_ms, baseline.frame_ms));
+double share_of_floor(const std::vector<ViewResult>& views, const RowResult& row) {
+    if (misses_light(row.mean_ratio)) return unknown;
+    double sum = 0.0;
+    for (const ViewResult& view : views)
+        sum += view.floor.variance;
+    return sum / static_cast<double>(views.size()) / mean_over_views(row.mse);
 }
 
 double efficiency(const RowResult& row, Strata RowResult::*error) {
-    return 1.0 / (mean_interval(row.*error).value * 1e-3 * median_of(row.frame_ms));
+    return 1.0 / (mean_over_views(row.*error) * 1e-3 * median_of(row.frame_ms));
 }
 
 std::string quality_text(const QualityOptions& options, const LevelResult& result) {
     std::string text = heading(options, result.level, result.views);
     text += views_text(result.views) + '\n';
     text += error_table(options, result, &RowResult::mse, "MSE", [&](const RowResult&) {
-        return mean_over_views(result.views, &ViewResult::variance);
+        return mean_of(result.views, &ViewResult::variance);
     });
     text += '\n';
-    text +=
-        error_table(options, result, &RowResult::trimmed_mse, "trimmed",
-                    [](const RowResult& row) { return mean_interval(row.trimmed_variance).value; });
+    text += error_table(options, result, &RowResult::trimmed_mse, "trimmed",
+                        [](const RowResult& row) { return mean_over_views(row.trimmed_variance); });
     text += '\n';
     text +=
         error_table(options, result, &RowResult::relative_mse, "rel. MSE", [&](const RowResult&) {
-            return mean_over_views(result.views, &ViewResult::relative_variance);
+            return mean_of(result.views, &ViewResult::relative_variance);
         });
     if (!result.rows.front().bright_mse.empty()) {
         text += '\n';
-        text += error_table(
-            options, result, &RowResult::bright_mse, "bright",
-            [](const RowResult& row) { return mean_interval(row.bright_variance).value; });
+        text +=
+            error_table(options, result, &RowResult::bright_mse, "bright",
+                        [](const RowResult& row) { return mean_over_views(row.bright_variance); });
     }
+    text += fmt::format(
+        "  *: differs from {} in the typical run. In at most 5% of such tables a mark is chance.\n",
+        options.baseline);
     text += light_warning(result);
     text += '\n' + ratios_by_view(options, result) + '\n' + sample_table(result) + '\n' +
             time_table(options, result) + '\n' + equal_time_table(options, result);
@@ -314,13 +329,15 @@ std::string curve_text(const QualityOptions& options, const CurveResult& result)
          {std::pair(&CurveRow::mse, "MSE"), std::pair(&CurveRow::trimmed_mse, "trimmed MSE")}) {
         text += fmt::format("\n  {}\n  frame", name);
         for (const CurveRow& row : result.rows)
-            text += fmt::format("{:>12}  {:<20}", row.row.label, "95%");
+            text += fmt::format("{:>12}{:>14}  {:<20}", row.row.label, "typical run", "95%");
         text += '\n';
         for (std::size_t frame = 0; frame < (result.rows.front().*member).size(); ++frame) {
             text += fmt::format("  {:<5}", frame + 1);
             for (const CurveRow& row : result.rows) {
-                const Interval value = mean_interval((row.*member)[frame]);
-                text += fmt::format("{:>12}  {:<20}", number(value.value), range(value));
+                const Strata& values = (row.*member)[frame];
+                const Interval typical = typical_run(values);
+                text += fmt::format("{:>12}{:>14}  {:<20}", number(mean_over_views(values)),
+                                    number(typical.value), range(typical));
             }
             text += '\n';
         }

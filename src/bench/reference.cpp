@@ -7,6 +7,7 @@
 #include "common/output.h"
 #include "common/sealed.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -18,7 +19,7 @@ namespace vigil::bench {
 namespace {
 
 std::string kind_of(const std::string& key) {
-    return "vigil reference 2\n" + key;
+    return "vigil reference 3\n" + key;
 }
 
 void append(std::string& text, const std::vector<double>& values) {
@@ -94,6 +95,24 @@ void Reference::save(const std::filesystem::path& path, const std::string& key) 
     append(text, means_);
     append(text, squares_);
     write_file(path, seal(kind_of(key), std::as_bytes(std::span(text))));
+}
+
+int batches_for(const Reference& pilot, double variance, int most) {
+    const double wanted = pilot.batches() * pilot.mean_variance() / variance;
+    if (!(variance > 0.0 && wanted < most)) return most;
+    return std::max(2, static_cast<int>(std::ceil(wanted)));
+}
+
+void complete_reference(Reference& pilot, Reference& reference, const ReferenceSource& source) {
+    while (pilot.batches() < pilot_batches) {
+        pilot.add(source.batch(first_pilot_number + pilot.batches()));
+        source.added(true);
+    }
+    const int wanted = source.batches_wanted(pilot);
+    while (reference.batches() < wanted) {
+        reference.add(source.batch(reference.batches()));
+        source.added(false);
+    }
 }
 
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t hash) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,6 +50,28 @@ private:
     std::vector<double> means_, squares_;
     std::vector<double> batch_means_; // of whole pictures
 };
+
+/// Batches of a pilot, whose variance decides how many batches a reference gets.
+inline constexpr int pilot_batches = 6;
+
+/// So many batches as good as the pilot's have a mean of this variance; from 2 to `most`, and
+/// `most` where the variance is not positive.
+int batches_for(const Reference& pilot, double variance, int most);
+
+/// Where batches come from, and who decides how many there are.
+struct ReferenceSource {
+    /// The mean picture of a batch; another number, other random numbers. Pilots have numbers of
+    /// their own, from first_pilot_number on.
+    std::function<std::vector<float>(int number)> batch;
+    std::function<int(const Reference& pilot)> batches_wanted;
+    std::function<void(bool is_pilot)> added; // called after every batch
+};
+inline constexpr int first_pilot_number = 1 << 24;
+
+/// Completes the pilot, then the reference until it has the batches wanted. A reference that
+/// stopped when its own batches looked good would stop before a rare bright one, and be too dark;
+/// so batches of the pilot decide, and are not part of it. Both may have batches already.
+void complete_reference(Reference& pilot, Reference& reference, const ReferenceSource& source);
 
 /// FNV-1a, 64 bits; `hash` continues an earlier one. For file names and change detection.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes,

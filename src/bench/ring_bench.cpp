@@ -13,9 +13,13 @@
 #include "common/output.h"
 #include "common/progress.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <map>
+#include <vector>
 
 namespace vigil::bench {
 
@@ -30,15 +34,17 @@ Reference make_reference(const RingOptions& options, QualityRenderer& renderer, 
     renderer.turn(lamp, static_cast<float>(degrees));
     Reference reference(std::size_t{3} * options.size.x * options.size.y);
     const QualityRow row = ring_rows(std::array{64}).front();
-    const int batches = options.reference_paths / reference_batch_paths;
-    renderer.complete(
-        reference, pose,
-        {row, options.settle, options.fresh, [&] { return reference.batches() >= batches; },
-         [&] {
-             progress.note(fmt::format("reference at {} degrees, {} paths of {}", degrees,
-                                       reference.batches() * reference_batch_paths,
-                                       options.reference_paths));
-         }});
+    renderer.complete(reference, pose,
+                      {row,
+                       options.settle,
+                       options.fresh,
+                       {},
+                       options.reference_paths / reference_batch_paths,
+                       [&](int batches) {
+                           progress.note(fmt::format("reference at {} degrees, {} paths of {}",
+                                                     degrees, batches * reference_batch_paths,
+                                                     options.reference_paths));
+                       }});
     return reference;
 }
 
@@ -109,6 +115,7 @@ int run_ring_bench(std::span<const std::string> arguments) {
                            {"frames", options.frames},
                            {"settled_tail", ring_tail},
                            {"settled_factor", ring_factor},
+                           {"intervals", "typical runs"},
                            {"reference_paths", options.reference_paths},
                            {"variables", variables_json(options.settings)}},
                           options.keep);

@@ -5,6 +5,8 @@
 #include "bench/quality_options.h"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace vigil::bench {
 

@@ -5,28 +5,37 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace vigil::bench {
 
 using nlohmann::ordered_json;
 
 namespace {
 
+/// The mean over the seeds and the median with its interval, about other seeds at this one place.
+ordered_json seeds_json(const std::vector<double>& seeds) {
+    return {{"value", mean_over_views({seeds})},
+            {"median", to_json(median_interval(seeds))},
+            {"by_seed", seeds}};
+}
+
 /// Mean error by frame after the turn.
 std::vector<double> curve_of(const RingRow& row) {
     std::vector<double> means;
     for (std::size_t frame = 0; frame < row.frames.size(); ++frame)
-        means.push_back(in_frame(row, frame).value);
+        means.push_back(in_frame(row, frame));
     return means;
 }
 
 } // namespace
 
-Interval before(const RingRow& row) {
-    return mean_interval({row.before});
+double before(const RingRow& row) {
+    return mean_over_views({row.before});
 }
 
-Interval in_frame(const RingRow& row, std::size_t frame) {
-    return mean_interval({row.frames[frame]});
+double in_frame(const RingRow& row, std::size_t frame) {
+    return mean_over_views({row.frames[frame]});
 }
 
 Settled settled_after(const RingRow& row) {
@@ -34,7 +43,7 @@ Settled settled_after(const RingRow& row) {
 }
 
 int readapted_after(const RingRow& row) {
-    return stays_below(curve_of(row), ring_factor * before(row).value);
+    return stays_below(curve_of(row), ring_factor * before(row));
 }
 
 std::string ring_text(const RingTurn& turn) {
@@ -47,28 +56,28 @@ std::string ring_text(const RingTurn& turn) {
                     "back from", "settled", "from frame", "frame 1/brdf", "settled/brdf");
     for (const RingRow& row : turn.rows) {
         const Settled settled = settled_after(row);
-        const double first = in_frame(row, 0).value;
+        const double first = in_frame(row, 0);
         const int back = readapted_after(row);
         const bool is_back = back <= static_cast<int>(row.frames.size());
-        text += fmt::format("  {:<10}{:>12.3g}{:>12.3g}{:>12}{:>12.3g}{:>12}{:>14.3g}{:>14.3g}\n",
-                            row.row.label, before(row).value, first,
-                            is_back ? std::to_string(back) : "never", settled.level, settled.frame,
-                            first / baseline, settled.level / baseline);
+        text +=
+            fmt::format("  {:<10}{:>12.3g}{:>12.3g}{:>12}{:>12.3g}{:>12}{:>14.3g}{:>14.3g}\n",
+                        row.row.label, before(row), first, is_back ? std::to_string(back) : "never",
+                        settled.level, settled.frame, first / baseline, settled.level / baseline);
     }
     return text;
 }
 
 std::string ring_csv(const ordered_json& report) {
-    std::string text = "degrees,row,frame,mse,low,high\n";
+    std::string text = "degrees,row,frame,mse,median,low,high\n";
     for (const ordered_json& turn : report["parts"]) {
         for (const ordered_json& row : turn["rows"]) {
             const auto add = [&](std::size_t frame, const ordered_json& mse) {
                 text += fmt::format("{},{},{}", turn["degrees"].get<int>(),
                                     row["label"].get<std::string>(), frame);
-                for (const char* name : {"value", "low", "high"}) {
-                    const ordered_json& number = mse[name];
+                const ordered_json& median = mse["median"];
+                for (const ordered_json& number :
+                     {mse["value"], median["value"], median["low"], median["high"]})
                     text += number.is_number() ? fmt::format(",{:.6g}", number.get<double>()) : ",";
-                }
                 text += '\n';
             };
             add(0, row["before"]);
@@ -83,16 +92,12 @@ ordered_json ring_json(const RingTurn& turn) {
     ordered_json rows = ordered_json::array();
     for (const RingRow& row : turn.rows) {
         ordered_json frames = ordered_json::array();
-        for (std::size_t frame = 0; frame < row.frames.size(); ++frame) {
-            frames.push_back(to_json(in_frame(row, frame)));
-            frames.back()["by_seed"] = row.frames[frame];
-        }
-        ordered_json start = to_json(before(row));
-        start["by_seed"] = row.before;
+        for (const std::vector<double>& seeds : row.frames)
+            frames.push_back(seeds_json(seeds));
         const Settled settled = settled_after(row);
         rows.push_back({{"label", row.row.label},
                         {"variables", variables_json(row.row.settings)},
-                        {"before", std::move(start)},
+                        {"before", seeds_json(row.before)},
                         {"readapted_frame", readapted_after(row)},
                         {"settled", settled.level},
                         {"settled_frame", settled.frame},

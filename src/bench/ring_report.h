@@ -8,6 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace vigil::bench {
 
 /// Errors of one row: before the turn, and in every frame after it.
@@ -23,8 +27,9 @@ struct RingTurn {
     std::vector<RingRow> rows;       // as ring_rows()
 };
 
-Interval before(const RingRow& row);
-Interval in_frame(const RingRow& row, std::size_t frame);
+/// Means over the seeds.
+double before(const RingRow& row);
+double in_frame(const RingRow& row, std::size_t frame);
 /// The error that the row settles at, and from which frame after the turn on (counted from 1).
 Settled settled_after(const RingRow& row);
 /// From which frame after the turn on the error is that before the turn again, within ring_factor;

@@ -5,7 +5,12 @@
 #include "common/error.h"
 #include "refresh/vkpt/passes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
+#include <span>
+#include <utility>
 
 namespace vigil::bench {
 
@@ -101,8 +106,8 @@ std::string timing_text(const QualityOptions& options, const TimingResult& resul
     text += fmt::format("\n{:<14}{:>14}  {:<22}{:>16}  {:<22}\n", "  row",
                         "path / " + options.baseline, "95%", "guiding / path", "95%");
     for (const TimingRow& row : result.rows) {
-        const Interval path = median_ratio(row.path_ms, baseline.path_ms);
-        const Interval prepare = median_ratio(row.prepare_ms, row.path_ms);
+        const Interval path = ratio_over_flights(row.path_ms, baseline.path_ms);
+        const Interval prepare = ratio_over_flights(row.prepare_ms, row.path_ms);
         text +=
             fmt::format("  {:<12}{:>14.3g}  {:<22}{:>16.3g}  {:<22}\n", row.row.label, path.value,
                         fmt::format("[{:.3g}, {:.3g}]", path.low, path.high), prepare.value,
@@ -125,11 +130,12 @@ ordered_json timing_json(const QualityOptions& options, const TimingResult& resu
                                       {"mean_ms", pass.mean},
                                       {"p99_ms", pass.p99},
                                       {"share", pass.share}});
-        json["path_ms"] = {{"ratio", to_json(median_ratio(row.path_ms, baseline.path_ms))},
+        json["path_ms"] = {{"ratio", to_json(ratio_over_flights(row.path_ms, baseline.path_ms))},
                            {"frames", medians(row.path_ms)}};
-        json["prepare_ms"] = {{"share_of_path", to_json(median_ratio(row.prepare_ms, row.path_ms))},
-                              {"frames", medians(row.prepare_ms)}};
-        json["frame_ms"] = {{"ratio", to_json(median_ratio(row.frame_ms, baseline.frame_ms))},
+        json["prepare_ms"] = {
+            {"share_of_path", to_json(ratio_over_flights(row.prepare_ms, row.path_ms))},
+            {"frames", medians(row.prepare_ms)}};
+        json["frame_ms"] = {{"ratio", to_json(ratio_over_flights(row.frame_ms, baseline.frame_ms))},
                             {"frames", medians(row.frame_ms)}};
         ordered_json frames = ordered_json::object(); // of the passes of preparation
         for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass) {

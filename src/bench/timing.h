@@ -11,6 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 namespace vigil::bench {
 
 struct TimingRow {

@@ -3,9 +3,14 @@
 
 #include "common/error.h"
 
-#include <embree3/rtcore.h>
 #include <pmmintrin.h>
 #include <xmmintrin.h>
+
+#if VIGIL_HAVE_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 namespace vigil::bench {
 
@@ -47,6 +52,22 @@ RTCRay embree_ray(const shader::Ray& ray) {
     return result;
 }
 
+/// One thread's calls, which Embree 3 gives a context and Embree 4 does not.
+class Caller {
+public:
+#if VIGIL_HAVE_EMBREE >= 4
+    void intersect(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
+    void occlude(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &query); }
+#else
+    Caller() { rtcInitIntersectContext(&context_); }
+    void intersect(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &context_, &query); }
+    void occlude(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &context_, &query); }
+
+private:
+    RTCIntersectContext context_;
+#endif
+};
+
 } // namespace
 
 EmbreeTracer::EmbreeTracer(std::span<const BvhInputTriangle> triangles)
@@ -82,14 +103,13 @@ EmbreeTracer::~EmbreeTracer() = default;
 
 void EmbreeTracer::closest(std::span<const shader::Ray> rays, std::vector<float>& distances) const {
     const FlushDenormals flush;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Caller caller;
     distances.resize(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         RTCRayHit query{embree_ray(rays[i]), {}};
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(state_->scene, &context, &query);
+        caller.intersect(state_->scene, query);
         distances[i] = query.ray.tfar;
     }
 }
@@ -97,12 +117,11 @@ void EmbreeTracer::closest(std::span<const shader::Ray> rays, std::vector<float>
 void EmbreeTracer::occluded(std::span<const shader::Ray> rays,
                             std::vector<std::uint32_t>& answers) const {
     const FlushDenormals flush;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Caller caller;
     answers.resize(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         RTCRay query = embree_ray(rays[i]);
-        rtcOccluded1(state_->scene, &context, &query);
+        caller.occlude(state_->scene, query);
         answers[i] = query.tfar < 0.0f ? 1 : 0; // Embree sets it to -infinity
     }
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Embree 3, one ray at a time: the yardstick of the trace benchmark. Compiled only where CMake
+// Embree 3 or 4, one ray at a time: the yardstick of the trace benchmark. Compiled only where CMake
 // finds Embree.
 #pragma once
 
 #include "bench/trace_level.h"
 
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace vigil::bench {
 

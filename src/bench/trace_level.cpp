@@ -8,6 +8,7 @@
 #include "formats/bsp_query.h"
 #include "formats/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

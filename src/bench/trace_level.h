@@ -7,6 +7,7 @@
 #include "refresh/vkpt/scene/bvh_builder.h"
 #include "shared/bvh.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>

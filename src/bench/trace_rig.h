@@ -10,7 +10,10 @@
 #include "refresh/vkpt/scene/top_level.h"
 #include "trace/ray_answer.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace vigil::bench {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace vigil::bench {
 
 namespace {
@@ -81,8 +83,7 @@ Plan trade_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.levels = {"warehouse", "mine", "gallery"};
     options.rows = {technique_row("vlc")}; // what techniques and presets are compared with
-    options.views = 2;
-    options.seeds = 3; // ratios of times have intervals from six pairs on
+    options.seeds = 2;
     options.reference_paths = 512;
     QualityOptions quick = options;
     quick.levels = {"warehouse"};

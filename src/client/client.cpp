@@ -49,6 +49,7 @@ Client::Client(const ClientParts& parts)
     add_demo_commands(*this);
     add_compare_commands(*this);
     add_window_commands(*this);
+    session_.renderer().watch_compilation(this);
 }
 
 Client::~Client() {
@@ -56,11 +57,17 @@ Client::~Client() {
     end_demo();
     keep_recording();
     end_play();
+    session_.renderer().watch_compilation(nullptr);
 }
 
 void Client::quit() {
     quitting_ = true;
     commands_.clear();
+}
+
+Session& Client::session_in_level() {
+    if (session_.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
+    return session_;
 }
 
 glm::ivec2 Client::picture_size() const {
@@ -101,13 +108,16 @@ void Client::frame() {
     }
 
     const Stopwatch watch;
+    compile_s_ = 0.0;
     move_camera(seconds);
     render(seconds);
+    if (quitting_) return;
     record_frame();
+    // What a driver compiles is kept: it is none of this frame's time.
     if (flight_)
-        finish_flight_frame(watch.seconds());
+        finish_flight_frame(watch.seconds() - compile_s_);
     else if (demo_)
-        finish_demo_frame(watch.seconds());
+        finish_demo_frame(watch.seconds() - compile_s_);
     else
         session_.take_frame_times(false);
     commands_.run_frame();
@@ -118,9 +128,10 @@ void Client::frame() {
 }
 
 void Client::handle_events() {
-    for (const platform::Event& event : window_->poll_events()) {
+    for (const platform::Event& event : std::exchange(waiting_events_, {}))
         input_.handle(event, captured_);
-    }
+    for (const platform::Event& event : window_->poll_events())
+        input_.handle(event, captured_);
     if (input_.close_requested()) quit();
 }
 
@@ -196,20 +207,25 @@ void Client::move_camera(double seconds) {
 }
 
 void Client::render(double seconds) {
-    const double now = clock_.seconds();
-    console_.update(now);
-    ImDrawData* drawn = nullptr;
-    if (!headless()) {
-        const bool full = session_.level() == nullptr;
-        // Views invite questions about a place (`vlcinfo`).
-        const bool crosshair = !full && variables_->pt_view != 0;
-        const bool stats = variables_->scr_stats != 0 && !full;
-        if (stats) stats_.add_frame(seconds, session_.recent_times(), variables_, picture_size());
-        drawn = overlay_.draw({console_, menu_, stats ? stats_.lines() : no_stats_,
-                               variables_->con_notify, full, crosshair},
-                              picture_size(), now, seconds);
+    console_.update(clock_.seconds());
+    ImDrawData* const drawn = headless() ? nullptr : draw_overlay(seconds, nullptr);
+    try {
+        session_.render(drawn, measuring());
+    } catch (const CompilationEnded&) {
+        // quit() was called.
     }
-    session_.render(drawn, measuring());
+}
+
+ImDrawData* Client::draw_overlay(double seconds, const refresh::Compilation* compilation) {
+    const bool full = session_.level() == nullptr;
+    // Views invite questions about a place (`vlcinfo`).
+    const bool crosshair = !full && variables_->pt_view != 0;
+    const bool stats = variables_->scr_stats != 0 && !full;
+    if (stats && compilation == nullptr)
+        stats_.add_frame(seconds, session_.recent_times(), variables_, picture_size());
+    return overlay_.draw({console_, menu_, stats ? stats_.lines() : no_stats_,
+                          variables_->con_notify, full, crosshair, compilation},
+                         picture_size(), clock_.seconds(), seconds);
 }
 
 void Client::load_map(std::string_view name) {

@@ -17,6 +17,8 @@
 #include "client/screen_stats.h"
 #include "client/session.h"
 #include "common/command.h"
+#include "common/error.h"
+#include "common/progress.h"
 #include "common/stopwatch.h"
 #include "platform/window.h"
 
@@ -40,11 +42,17 @@ struct ClientParts {
     platform::Window* window = nullptr; ///< null: headless
 };
 
-class Client {
+/// The window was closed while the renderer waited for a compiler.
+class CompilationEnded : public Error {
+public:
+    CompilationEnded() : Error("the window was closed while shaders were compiled") {}
+};
+
+class Client : private refresh::CompilationWatcher {
 public:
     /// Adds its commands to the registry (add_*_commands below).
     explicit Client(const ClientParts& parts);
-    ~Client();
+    ~Client() override;
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
 
@@ -59,6 +67,8 @@ public:
     bool headless() const { return window_ == nullptr; }
     Session& session() { return session_; }
     const Session& session() const { return session_; }
+    /// The session; throws Error when no level is loaded.
+    Session& session_in_level();
     const CvarRegistry& variables() const { return variables_; }
     CommandRegistry& commands() { return commands_; }
     Console& console() { return console_; }
@@ -121,6 +131,9 @@ private:
     void drag_compare_line();
     FlightInput take_input(double seconds);
     void render(double seconds);
+    ImDrawData* draw_overlay(double seconds, const refresh::Compilation* compilation);
+    ImDrawData* compiling(const refresh::Compilation& state) override;
+    void tell_compilation(const refresh::Compilation& state, bool over);
     void finish_flight_frame(double seconds);
     void finish_demo_frame(double seconds);
     void record_frame();
@@ -150,6 +163,9 @@ private:
     std::unique_ptr<DemoPlayback> demo_;
     std::unique_ptr<DemoRecorder> recorder_;
     std::string recorded_path_;
+    std::vector<platform::Event> waiting_events_; // that arrived while shaders were compiled
+    std::unique_ptr<ProgressLine> compile_line_;
+    double compile_s_ = 0.0; // of the present frame
     int failures_ = 0;
     bool cut_short_ = false;
     Stopwatch clock_;

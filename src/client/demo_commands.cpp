@@ -11,6 +11,8 @@
 #include "common/printable.h"
 #include "formats/dm2_protocol.h"
 
+#include <algorithm>
+
 namespace vigil::client {
 
 namespace {
@@ -79,12 +81,11 @@ void demomap(Client& client, CommandArguments arguments) {
 void record(Client& client, CommandArguments arguments) {
     check_count(arguments, 1, 2, "record NAME [ROUTE]");
     const std::string path = demo_path(arguments[0]);
-    if (const auto fault = game_path_fault(path); !fault.empty())
-        fail("\"{}\": not recorded, the name {}", printable(path), fault);
     const Session& session = client.session();
     if (session.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
     if (session.played() != nullptr) fail("a demo is shown; `map NAME` begins something new");
     if (client.recording()) fail("a demo is being recorded; `stop` ends it");
+    check_output(output_path(path));
     if (arguments.size() == 1) {
         client.start_recording(path);
         log_info("recording {}; `stop` ends it", path);

@@ -28,7 +28,9 @@ RunPlan with_frames(RunPlan plan, int frames) {
 DemoPlayback::DemoPlayback(std::string name, std::vector<uint8_t> bytes, int repetitions,
                            RunPlan plan)
     : name_(std::move(name)), bytes_(std::move(bytes)), repetitions_(repetitions),
-      run_(with_frames(std::move(plan), timed() ? repetitions * frame_count(name_, bytes_) : 0)) {}
+      run_(with_frames(std::move(plan), timed() ? repetitions * frame_count(name_, bytes_) : 0)) {
+    if (timed()) run_.check_outputs();
+}
 
 void DemoPlayback::start(Session& session) {
     // The level is loaded anew for each repetition: all begin with the same random numbers and with

@@ -3,6 +3,7 @@
 
 #include "client/demo_lights.h"
 #include "formats/dm2_protocol.h"
+#include "world/player_movement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace vigil::client {
 namespace {
 
 constexpr uint32_t first_entity = 2; // 1 is the player's
-constexpr float eye_height = 22.0f;  // of the view over the player's origin
 /// Where lights are numbered from, downwards.
 constexpr uint32_t last_light = dm2::most_entities - 1;
 /// A model that the game has, for entities that are there for their light: where it is missing, a
@@ -183,7 +183,7 @@ void DemoRecorder::add(const refresh::Frame& frame, const LightStyles& styles) {
     dm2::PlayerState& player = recorded.player;
     player.movement_type = dm2::PM_FREEZE;
     player.movement_flags = dm2::PMF_NO_PREDICTION;
-    player.view_offset = {0.0f, 0.0f, eye_height};
+    player.view_offset = {0.0f, 0.0f, player::standing_eye};
     player.origin = frame.view.origin - player.view_offset;
     player.view_angles = frame.view.angles;
     player.fov = static_cast<uint8_t>(std::clamp(std::lround(frame.view.fov), 1l, 170l));

@@ -20,7 +20,9 @@ RunPlan with_frames(RunPlan plan, const Route& route) {
 
 FlyThrough::FlyThrough(Route route, RunPlan plan)
     : route_(std::move(route)), run_(with_frames(std::move(plan), route_)),
-      frame_count_(run_.plan().frames) {}
+      frame_count_(run_.plan().frames) {
+    run_.check_outputs();
+}
 
 void FlyThrough::begin_frame(Session& session) {
     const int frame = run_.frame_count();

@@ -10,6 +10,7 @@ namespace vigil::client {
 
 class FlyThrough {
 public:
+    /// Throws Error when what the plan wants written cannot be.
     FlyThrough(Route route, RunPlan plan);
 
     bool finished() const { return run_.frame_count() == frame_count_; }

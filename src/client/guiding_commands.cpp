@@ -3,7 +3,6 @@
 // viewprev, guiding, guidingreset, vlcinfo, cdqinfo.
 #include "client/arguments.h"
 #include "client/client.h"
-#include "common/error.h"
 #include "common/log.h"
 #include "shared/views.h"
 
@@ -12,11 +11,6 @@
 namespace vigil::client {
 
 namespace {
-
-Session& with_level(Client& client) {
-    if (client.session().level() == nullptr) fail("no level is loaded; `map NAME` loads one");
-    return client.session();
-}
 
 void say_view(Client& client) {
     const ViewInfo& info = view_infos[client.commands().variables()->pt_view];
@@ -51,7 +45,7 @@ std::vector<std::string> view_candidates(CommandArguments arguments) {
 }
 
 void guiding(Client& client) {
-    Session& session = with_level(client);
+    Session& session = client.session_in_level();
     session.take_frame_times(true);
     log_info("{}", session.renderer().describe_guiding());
     if (session.count_statistics().frame_count() > 0)
@@ -59,13 +53,13 @@ void guiding(Client& client) {
 }
 
 void vlcinfo(Client& client) {
-    Session& session = with_level(client);
+    Session& session = client.session_in_level();
     session.render_if_stale(); // `setviewpos ...; vlcinfo` is about the new view
     log_info("{}", session.renderer().describe_leaf());
 }
 
 void cdqinfo(Client& client) {
-    Session& session = with_level(client);
+    Session& session = client.session_in_level();
     session.render_if_stale();
     log_info("{}", session.renderer().describe_directions());
 }
@@ -86,7 +80,7 @@ void add_guiding_commands(Client& client) {
                  ": memory of octree and light caches, and what they counted in recent frames",
                  [&client](CommandArguments) { guiding(client); });
     commands.add("guidingreset", ": forgets what frames taught (octree, caches, shadow statistics)",
-                 [&client](CommandArguments) { with_level(client).reset_guiding(); });
+                 [&client](CommandArguments) { client.session_in_level().reset_guiding(); });
     commands.add("vlcinfo", ": the octree's leaf under the crosshair and the lights of its cache",
                  [&client](CommandArguments) { vlcinfo(client); });
     commands.add(

@@ -10,11 +10,6 @@ namespace vigil::client {
 
 namespace {
 
-Session& with_level(Client& client) {
-    if (client.session().level() == nullptr) fail("no level is loaded; `map NAME` loads one");
-    return client.session();
-}
-
 void list_maps(Client& client) {
     const std::vector<std::string> names = list_levels(client.session().files());
     for (const std::string& name : names)
@@ -27,12 +22,12 @@ void turn(Client& client, CommandArguments arguments) {
     const float yaw = number_at(arguments, 1, "the yaw");
     const float pitch = arguments.size() > 2 ? number_at(arguments, 2, "the pitch") : 0.0f;
     const float roll = arguments.size() > 3 ? number_at(arguments, 3, "the roll") : 0.0f;
-    with_level(client).turn_entities(arguments[0], {pitch, yaw, roll});
+    client.session_in_level().turn_entities(arguments[0], {pitch, yaw, roll});
 }
 
 void lightstyle(Client& client, CommandArguments arguments) {
     check_count(arguments, 1, 2, "lightstyle N [VALUE|PATTERN]");
-    Session& session = with_level(client);
+    Session& session = client.session_in_level();
     const int style = integer_at(arguments, 0, "the style", 0, refresh::light_style_count - 1);
     LightStyles styles = session.light_styles();
     if (arguments.size() == 1) {
@@ -59,7 +54,7 @@ void dlight(Client& client, CommandArguments arguments) {
     if (glm::any(glm::lessThan(light.radiance, glm::vec3(0.0f)))) {
         fail("the radiance must not be negative");
     }
-    with_level(client).set_dynamic_light(light);
+    client.session_in_level().set_dynamic_light(light);
 }
 
 } // namespace
@@ -95,11 +90,11 @@ void add_level_commands(Client& client) {
                  [&client](CommandArguments) { client.session().clear_dynamic_lights(); });
     commands.add("flashlight", ": switches the flashlight in your hand on or off",
                  [&client](CommandArguments) {
-                     with_level(client).set_flashlight(!client.session().flashlight());
+                     client.session_in_level().set_flashlight(!client.session().flashlight());
                  });
     commands.add("scene", ": says what the level switched on in the renderer, and why",
                  [&client](CommandArguments) {
-                     log_info("{}", with_level(client).renderer().describe_scene());
+                     log_info("{}", client.session_in_level().renderer().describe_scene());
                  });
     commands.add("device", ": names the graphics device and its driver",
                  [&client](CommandArguments) {

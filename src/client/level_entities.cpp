@@ -6,6 +6,7 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "world/player_movement.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,8 +15,6 @@
 namespace vigil::client {
 
 namespace {
-
-constexpr float eye_height = 22.0f; // of a standing player over the entity's origin
 
 /// Volumes that only game logic knows.
 bool is_invisible_class(std::string_view name) {
@@ -174,7 +173,7 @@ StartPlace find_start(const Bsp& bsp) {
     for (const std::string_view wanted : {"info_player_start", "info_player_deathmatch"}) {
         for (const Entity& entity : bsp.entities) {
             if (!equal_nocase(entity.classname(), wanted)) continue;
-            const glm::vec3 eye = entity.get_vec3("origin") + glm::vec3(0.0f, 0.0f, eye_height);
+            const glm::vec3 eye = entity.get_vec3("origin") + glm::vec3(0.0f, 0.0f, player::standing_eye);
             return {eye, entity_angles(entity)};
         }
     }

@@ -10,27 +10,25 @@ namespace vigil::client {
 
 namespace {
 
-using enum MenuItemKind;
-
 constexpr MenuItem items[] = {
-    {Command, "Continue", "", "back to the level"},
-    {Levels, "Levels", "", "walk through a level"},
-    {Demos, "Demos", "", "watch a recorded walk"},
-    {Preset, "Quality", "", ""},
-    {Variable, "Lights chosen by", "pt_nee"},
-    {Variable, "Rays guided by", "pt_guide"},
-    {Variable, "Paths per pixel", "pt_spp"},
-    {Variable, "Compare with", "pt_compare"},
-    {Variable, "Show", "pt_view"},
-    {Variable, "Statistics", "scr_stats"},
-    {Resolution, "Resolution", "", "size of the window: smaller is faster"},
-    {Variable, "Full screen", "vid_fullscreen"},
-    {Variable, "Mouse speed", "sensitivity"},
-    {Variable, "Invert mouse", "m_invert"},
-    {Variable, "Stick speed", "joy_look"},
-    {Keys, "Keys", "", "which key does what"},
-    {Command, "Console", "toggleconsole", "all variables and commands; its key is ` as well"},
-    {Command, "Quit", "quit", "ends the program"},
+    {MenuItemKind::Command, "Continue", "", "back to the level"},
+    {MenuItemKind::Levels, "Levels", "", "walk through a level"},
+    {MenuItemKind::Demos, "Demos", "", "watch a recorded walk"},
+    {MenuItemKind::Preset, "Quality", "", ""},
+    {MenuItemKind::Variable, "Lights chosen by", "pt_nee"},
+    {MenuItemKind::Variable, "Rays guided by", "pt_guide"},
+    {MenuItemKind::Variable, "Paths per pixel", "pt_spp"},
+    {MenuItemKind::Variable, "Compare with", "pt_compare"},
+    {MenuItemKind::Variable, "Show", "pt_view"},
+    {MenuItemKind::Variable, "Statistics", "scr_stats"},
+    {MenuItemKind::Resolution, "Resolution", "", "size of the window: smaller is faster"},
+    {MenuItemKind::Variable, "Full screen", "vid_fullscreen"},
+    {MenuItemKind::Variable, "Mouse speed", "sensitivity"},
+    {MenuItemKind::Variable, "Invert mouse", "m_invert"},
+    {MenuItemKind::Variable, "Stick speed", "joy_look"},
+    {MenuItemKind::Keys, "Keys", "", "which key does what"},
+    {MenuItemKind::Command, "Console", "toggleconsole", "all variables and commands; its key is ` as well"},
+    {MenuItemKind::Command, "Quit", "quit", "ends the program"},
 };
 
 constexpr MenuAction actions[] = {

@@ -2,8 +2,10 @@
 // The ImGui context and one frame of it.
 #include "client/overlay.h"
 
+#include "client/compile_view.h"
 #include "client/console_view.h"
 #include "client/menu_view.h"
+#include "client/pen.h"
 
 #include <imgui.h>
 
@@ -59,7 +61,12 @@ Overlay::Overlay() {
         config.PixelSnapH = true;
         io.Fonts->AddFontDefault(&config);
     }
+#if IMGUI_VERSION_NUM >= 19200
+    // Whoever draws the lists makes the textures that they ask for.
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#else
     io.Fonts->Build();
+#endif
 }
 
 Overlay::~Overlay() {
@@ -75,7 +82,7 @@ ImDrawData* Overlay::draw(const OverlayContent& content, glm::ivec2 size, double
 
     const bool notices = drop_ == 0.0f && has_notices(console, time_s, content.notify_s);
     const bool anything = drop_ > 0.0f || notices || content.crosshair || content.menu.is_open() ||
-                          !content.stats.empty();
+                          !content.stats.empty() || content.compilation != nullptr;
     if (size.x <= 0 || size.y <= 0 || !anything) return nullptr;
 
     ImGui::SetCurrentContext(context_);
@@ -89,10 +96,11 @@ ImDrawData* Overlay::draw(const OverlayContent& content, glm::ivec2 size, double
     if (drop_ > 0.0f) {
         draw_console(console, *font, drop_, time_s);
     } else {
-        if (content.crosshair) draw_crosshair(font->FontSize / font_pixels);
+        if (content.crosshair) draw_crosshair(size_of(*font) / font_pixels);
         draw_notices(console, *font, time_s, content.notify_s);
     }
     if (content.menu.is_open()) content.menu.set_places(draw_menu(content.menu, *font));
+    if (content.compilation != nullptr) draw_compilation(*content.compilation, *font);
     ImGui::Render();
     return ImGui::GetDrawData();
 }

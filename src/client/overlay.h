@@ -7,6 +7,7 @@
 
 #include "client/console.h"
 #include "client/menu.h"
+#include "refresh/refresh.h"
 
 #include <glm/glm.hpp>
 #include <string>
@@ -25,6 +26,8 @@ struct OverlayContent {
     double notify_s = 0.0;                 ///< new lines stay so long while the console is closed
     bool full = false;      ///< the open console covers everything: there is no level
     bool crosshair = false; ///< marks the middle of the picture while the console is closed
+    const refresh::Compilation* compilation =
+        nullptr; ///< what the picture waits for; null: nothing
 };
 
 class Overlay {

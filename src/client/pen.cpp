@@ -7,7 +7,7 @@
 namespace vigil::client {
 
 Pen::Pen(ImFont& font)
-    : font_(font), list_(*ImGui::GetForegroundDrawList()), size_(font.FontSize) {}
+    : font_(font), list_(*ImGui::GetForegroundDrawList()), size_(size_of(font)) {}
 
 float Pen::line_height() const {
     return std::ceil(size_ * 1.15f);

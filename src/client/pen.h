@@ -22,6 +22,15 @@ constexpr ImU32 chosen = IM_COL32(230, 150, 50, 90);
 constexpr ImU32 ground = IM_COL32(12, 14, 18, 190); // behind single lines over the picture
 } // namespace ink
 
+/// The size in pixels for which a font was made.
+inline float size_of(const ImFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+    return font.LegacySize;
+#else
+    return font.FontSize;
+#endif
+}
+
 /// A pen that draws text of one size on the screen, in the current ImGui frame.
 class Pen {
 public:

@@ -15,9 +15,13 @@ namespace {
 
 constexpr int most_numbered = 10000;
 
+/// A name that cannot be written fails here, before the work.
 std::filesystem::path path_of(std::string_view name, std::string_view extension) {
-    if (ends_nocase(name, extension)) return output_path(name);
-    return output_path(fmt::format("{}{}", name, extension));
+    std::filesystem::path path = ends_nocase(name, extension)
+                                     ? output_path(name)
+                                     : output_path(fmt::format("{}{}", name, extension));
+    check_output(path);
+    return path;
 }
 
 /// The first of vigil0000.png, vigil0001.png, ... that is free.

@@ -3,9 +3,8 @@
 #include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
-#include "common/game_path.h"
 #include "common/log.h"
-#include "common/printable.h"
+#include "common/output.h"
 
 namespace vigil::client {
 
@@ -68,8 +67,7 @@ void walk_record(Client& client, CommandArguments arguments) {
     check_count(arguments, 1, 1, "walkrecord NAME");
     check_playable(client);
     const std::string path = walk_path(arguments[0]);
-    if (const auto fault = game_path_fault(path); !fault.empty())
-        fail("\"{}\": not recorded, the name {}", printable(path), fault);
+    check_output(output_path(path));
     client.start_play();
     client.play()->record(path);
     log_info("recording {} from the level's start; `walkstop` ends it", path);

@@ -7,6 +7,7 @@
 #include "common/log.h"
 
 #include <algorithm>
+#include <fmt/ranges.h>
 
 namespace vigil::client {
 

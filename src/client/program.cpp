@@ -3,6 +3,7 @@
 #include "client/program.h"
 
 #include "client/client.h"
+#include "client/driver_advice.h"
 #include "common/builtin_commands.h"
 #include "common/command_line.h"
 #include "common/error.h"
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -130,6 +132,10 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
     Overlay overlay;
     const std::unique_ptr<refresh::Renderer> renderer = make_renderer(files, window.get());
 
+    const std::string advice =
+        driver_advice(renderer->describe_device(), cache_dir() / "mesa/lvp_icd.json");
+    if (!advice.empty()) log_info("{}", advice);
+
     Client client({files, commands, bindings, console, overlay, *renderer, window.get()});
     run_autoexec(commands, files);
     apply_early_sets(line, variables);
@@ -152,7 +158,16 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
         throw;
     }
     keep_configuration();
-    if (!client.headless()) return client.cut_short() ? 1 : 0;
+    if (!client.headless()) {
+        const int status = client.cut_short() ? 1 : 0;
+        client.end_play(); // keeps what is recorded
+        // A driver's compiler cannot be broken off, and who closed the window waits for nothing.
+        if (renderer->compiling()) {
+            std::fflush(nullptr);
+            std::_Exit(status);
+        }
+        return status;
+    }
     return commands.failures() > failures_before || client.failures() > 0 ? 1 : 0;
 }
 

@@ -48,10 +48,18 @@ void TimedRun::begin(Session& session) {
     begin_ = frames_.size();
     seconds_ = 0.0;
     repetition_statistics_.clear();
-    if (!progress_) {
-        progress_ = std::make_unique<Progress>(plan_.frames);
-        progress_->begin(plan_.name);
+}
+
+void TimedRun::tell_progress() {
+    if (progress_) {
+        progress_->advance("frames");
+        return;
     }
+    // The first frame takes as long as nothing after it: textures and shaders are met for the first
+    // time. The pace is that of the others.
+    progress_ = std::make_unique<Progress>(plan_.frames);
+    progress_->skip(1);
+    progress_->begin(plan_.name);
 }
 
 void TimedRun::end_frame(Session& session, double seconds) {
@@ -72,7 +80,7 @@ void TimedRun::end_frame(Session& session, double seconds) {
     seconds_ += record.seconds;
     frames_.push_back(std::move(record));
     take_gpu_times(session, false);
-    progress_->advance("frames");
+    tell_progress();
 }
 
 void TimedRun::drop() {
@@ -87,11 +95,16 @@ void TimedRun::end(Session& session) {
     finished_.push_back({frames_.size() - begin_, seconds_});
     begin_ = frames_.size();
     finished_totals_ = totals_;
-    progress_->clear();
+    if (progress_) progress_->clear();
 }
 
 std::filesystem::path TimedRun::picture_path(int number) const {
     return output_path(fmt::format("{}_{:03}.png", plan_.prefix, number));
+}
+
+void TimedRun::check_outputs() const {
+    if (!plan_.prefix.empty()) check_output(picture_path(0));
+    if (!plan_.json.empty()) check_output(output_path(plan_.json));
 }
 
 void TimedRun::take_gpu_times(Session& session, bool wait) {

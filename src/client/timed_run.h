@@ -56,7 +56,12 @@ public:
     /// writes the JSON report if one is wanted. Throws Error when it cannot be written.
     void report(Session& session, const CvarRegistry& variables) const;
 
+    /// Throws Error now where a picture or the report could not be written at the end.
+    void check_outputs() const;
+
 private:
+    void tell_progress();
+
     struct FrameRecord {
         double seconds = 0.0; // of the main loop
         uint64_t number = 0;  // as the renderer counts

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where game data is when nobody says so. The build passes the source folder and the installed data
-// folder.
+// Where game data is when nobody says so. The build passes the source folder, and the way from the
+// installed program's folder to the installed data: an installation can be moved as a whole.
 #include "common/error.h"
 #include "common/file_system.h"
 
@@ -15,11 +15,12 @@ std::filesystem::path find_basedir(std::string_view basedir) {
     std::vector<fs::path> places;
     std::error_code fault;
     if (const fs::path program = fs::read_symlink("/proc/self/exe", fault); !fault) {
-        places.push_back(program.parent_path());
-        places.push_back(program.parent_path().parent_path());
+        const fs::path folder = program.parent_path();
+        places.push_back(folder);
+        places.push_back(folder.parent_path());
+        places.push_back((folder / VIGIL_DATA_FROM_PROGRAM).lexically_normal());
     }
     places.emplace_back(VIGIL_SOURCE_FOLDER);
-    places.emplace_back(VIGIL_DATA_FOLDER);
 
     std::string looked_in;
     for (const fs::path& place : places) {

@@ -7,6 +7,7 @@
 #include "common/log.h"
 
 #include <charconv>
+#include <fmt/ranges.h>
 #include <utility>
 
 namespace vigil {

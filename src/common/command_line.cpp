@@ -5,6 +5,7 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 
+#include <fmt/ranges.h>
 #include <string_view>
 
 namespace vigil {

@@ -99,6 +99,13 @@ fs::path output_path(std::string_view name) {
     return output_path(cvars()->outdir, name);
 }
 
+void check_output(const fs::path& path) {
+    std::error_code none;
+    if (fs::is_directory(path, none)) fail("{}: cannot write: {}", path.string(), reason(EISDIR));
+    if (access(path.parent_path().c_str(), W_OK | X_OK) != 0)
+        fail("{}: cannot write: {}", path.string(), reason(errno));
+}
+
 fs::path config_dir() {
     return xdg_dir("XDG_CONFIG_HOME", ".config");
 }

@@ -19,6 +19,10 @@ std::filesystem::path output_path(std::string_view outdir, std::string_view name
 /// The same below the variable `outdir`.
 std::filesystem::path output_path(std::string_view name);
 
+/// Throws Error now where write_file() could not write `path` later: it is a folder, or its folder
+/// cannot be written to. For names whose file comes after long work.
+void check_output(const std::filesystem::path& path);
+
 /// $XDG_CONFIG_HOME/vigil or ~/.config/vigil; $XDG_CACHE_HOME/vigil or ~/.cache/vigil. Not created
 /// here: write_file does. Throws Error when neither the variable nor HOME is set.
 std::filesystem::path config_dir();

@@ -11,8 +11,9 @@ namespace vigil {
 
 namespace {
 
-// Work that ends before the first of them is not worth a line.
-constexpr double terminal_interval_s = 0.2, line_interval_s = 30.0, first_line_s = 5.0;
+constexpr double terminal_interval_s = 0.2, line_interval_s = 30.0;
+// Work that ends before it is not worth a line.
+constexpr double first_line_s = 5.0;
 constexpr int bar_width = 20;
 
 std::string time_text(double seconds) {
@@ -22,15 +23,29 @@ std::string time_text(double seconds) {
 
 } // namespace
 
-Progress::Progress(int steps) : steps_(steps), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(double bar_after_s, double line_after_s)
+    : terminal_(isatty(STDERR_FILENO) != 0), after_s_(terminal_ ? bar_after_s : line_after_s) {}
 
-Progress::~Progress() {
-    clear();
-}
-
-void Progress::clear() {
+void ProgressLine::clear() {
     if (terminal_ && shown_) fmt::print(stderr, "\r\033[K");
 }
+
+void ProgressLine::show(double share, const std::string& text) {
+    const double now = watch_.seconds();
+    const double interval = terminal_ ? terminal_interval_s : line_interval_s;
+    if (shown_ ? now - shown_s_ < interval : now < after_s_) return;
+    shown_ = true;
+    shown_s_ = now;
+    if (terminal_) {
+        const int filled = static_cast<int>(bar_width * std::clamp(share, 0.0, 1.0));
+        fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", bar_width - filled, text);
+    } else {
+        fmt::print(stderr, "{}\n", text);
+    }
+    std::fflush(stderr);
+}
+
+Progress::Progress(int steps) : steps_(steps), line_(0.0, first_line_s) {}
 
 void Progress::begin(std::string_view part) {
     part_ = part;
@@ -52,25 +67,15 @@ void Progress::skip(int steps) {
 }
 
 void Progress::show(const std::string& what) {
-    const double now = watch_.seconds();
-    const double interval = terminal_ ? terminal_interval_s : line_interval_s;
-    if (shown_ ? now - shown_s_ < interval : !terminal_ && now < first_line_s) return;
-    shown_ = true;
-    shown_s_ = now;
     const int worked = done_ - skipped_;
-    const std::string left = worked > 0 ? time_text(now / worked * (steps_ - done_)) + " left"
-                                        : "time left not known yet";
+    const std::string left = worked > 0
+                                 ? time_text(line_.seconds() / worked * (steps_ - done_)) + " left"
+                                 : "time left not known yet";
     std::string text = part_;
     if (!what.empty()) text += text.empty() ? what : ": " + what;
     if (!text.empty()) text += ", ";
     text += fmt::format("{} of {}, {}", done_, steps_, left);
-    if (terminal_) {
-        const int filled = bar_width * std::min(done_, steps_) / std::max(steps_, 1);
-        fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", bar_width - filled, text);
-    } else {
-        fmt::print(stderr, "{}\n", text);
-    }
-    std::fflush(stderr);
+    line_.show(static_cast<double>(done_) / std::max(steps_, 1), text);
 }
 
 } // namespace vigil

@@ -10,13 +10,34 @@
 
 namespace vigil {
 
+/// Says on stderr how far work is: a bar on a terminal, now and then a line elsewhere.
+class ProgressLine {
+public:
+    /// Nothing is said of work that ends before `bar_after_s` on a terminal, elsewhere before
+    /// `line_after_s`.
+    ProgressLine(double bar_after_s, double line_after_s);
+    ~ProgressLine() { clear(); }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    /// `share` of the work is done, 0..1.
+    void show(double share, const std::string& text);
+    /// Removes the bar, for lines that are printed meanwhile; it comes back by itself.
+    void clear();
+    double seconds() const { return watch_.seconds(); }
+
+private:
+    bool terminal_;
+    double after_s_;
+    bool shown_ = false;
+    Stopwatch watch_;
+    double shown_s_ = 0.0;
+};
+
 class Progress {
 public:
     /// `steps` of about the same length will be done.
     explicit Progress(int steps);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
 
     /// A part of the work begins; its name is shown with what follows.
     void begin(std::string_view part);
@@ -24,8 +45,8 @@ public:
     void advance(const std::string& what);
     /// Something that is not counted is under way.
     void note(const std::string& what);
-    /// Removes the bar, for lines that are printed meanwhile; it comes back by itself.
-    void clear();
+    /// As ProgressLine::clear().
+    void clear() { line_.clear(); }
     /// Steps that need no work after all: they do not count for the pace.
     void skip(int steps);
 
@@ -37,11 +58,8 @@ private:
     int steps_;
     int done_ = 0;
     int skipped_ = 0;
-    bool terminal_;
-    bool shown_ = false;
     std::string part_;
-    Stopwatch watch_;
-    double shown_s_ = 0.0;
+    ProgressLine line_;
 };
 
 } // namespace vigil

@@ -17,6 +17,9 @@ namespace {
 
 /// Texture axes and offsets beyond this would overflow when multiplied by coordinates.
 constexpr float max_texture_axis = 1e9f;
+/// Faces may have this many corners together, most of them named again and again: the scene's
+/// triangles take some hundred bytes each. Real levels have a tenth of it.
+constexpr uint64_t max_face_corners = uint64_t{1} << 21;
 /// Portal switches are numbered below this in Quake II.
 constexpr uint32_t max_portals = 1024;
 
@@ -40,14 +43,14 @@ struct Record {
 
     /// `total` sums up the ranges of one kind.
     void uses_range(const char* target, uint32_t first, uint32_t size, size_t count,
-                    uint64_t& total) const {
+                    uint64_t& total, uint64_t limit = bsp_max_range_total) const {
         if (uint64_t{first} + size > count)
             bad("uses {} {} more from {} on, of {}", static_cast<int32_t>(size), target,
                 static_cast<int32_t>(first), count);
         total += size;
-        if (total > bsp_max_range_total)
+        if (total > limit)
             bad("brings the {} used so far to {}, most of them again (limit {})", target, total,
-                bsp_max_range_total);
+                limit);
     }
 
     void finite(const char* what, float value, float limit) const {
@@ -117,7 +120,7 @@ void check_faces(const Bsp& bsp) {
             record.bad("lies on plane {}, whose normal has length {}", face.plane, length);
         if (face.edge_count < 3) record.bad("has only {} edges", face.edge_count);
         record.uses_range("surface edges", face.first_edge, face.edge_count, bsp.surf_edges.size(),
-                          corners);
+                          corners, max_face_corners);
         record.uses("texinfo", face.texinfo, bsp.texinfos.size());
         if (face.light_offset != -1)
             record.uses("light map byte", static_cast<uint32_t>(face.light_offset),

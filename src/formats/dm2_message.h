@@ -7,6 +7,7 @@
 #include "formats/player_state.h"
 #include "formats/temp_entity.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>

@@ -87,6 +87,24 @@ const json& empty_array() {
     return empty;
 }
 
+/// How deep arrays and objects of a JSON text are nested. (The library could ask us at each of
+/// them, but takes time then that grows with the square of an array's length.)
+int depth_of(std::span<const uint8_t> text) {
+    int depth = 0, deepest = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (quoted) {
+            if (text[i] == '\\') ++i;
+            if (text[i] == '"') quoted = false;
+            continue;
+        }
+        if (text[i] == '"') quoted = true;
+        if (text[i] == '[' || text[i] == '{') deepest = std::max(deepest, ++depth);
+        if (text[i] == ']' || text[i] == '}') --depth;
+    }
+    return deepest;
+}
+
 } // namespace
 
 Glb::Glb(std::string_view name, std::span<const uint8_t> bytes) : name_(name) {
@@ -110,11 +128,9 @@ Glb::Glb(std::string_view name, std::span<const uint8_t> bytes) : name_(name) {
     }
     if (text.size() > max_json_bytes)
         bad("a JSON chunk of {} bytes is too long (limit {})", text.size(), max_json_bytes);
-    const auto check_depth = [this](int depth, json::parse_event_t, json&) {
-        if (depth > max_json_depth) bad("its JSON is nested more than {} deep", max_json_depth);
-        return true;
-    };
-    root_ = json::parse(text.begin(), text.end(), check_depth, false);
+    if (depth_of(text) > max_json_depth)
+        bad("its JSON is nested more than {} deep", max_json_depth);
+    root_ = json::parse(text.begin(), text.end(), nullptr, false);
     if (!root_.is_object()) bad("the JSON chunk is missing or not valid JSON");
 }
 

@@ -153,6 +153,24 @@ struct Health {
     int validation_messages = 0; // warnings and errors of the validation layer, while it is on
 };
 
+/// What render() waits for before it can trace: shaders on their way through the driver's compiler.
+struct Compilation {
+    std::vector<std::string> passes; ///< whose shaders are under way
+    int done = 0;                    ///< passes
+    int total = 0;                   ///< passes; all of them are done in the last report
+    float share = 0.0f;              ///< of the work, 0..1, by the sizes of the shaders
+    double seconds = 0.0;            ///< waited so far
+};
+
+/// Hears of a wait that is worth telling of, several times a second until it is over.
+class CompilationWatcher {
+public:
+    virtual ~CompilationWatcher() = default;
+    /// What is drawn over the last picture meanwhile; may be null. The last time it takes the place of
+    /// Frame::overlay. An Error that it throws ends render(), and no other may follow.
+    virtual ImDrawData* compiling(const Compilation& state) = 0;
+};
+
 /// What a window offers the renderer. Implemented by platform/sdl2 and platform/glfw.
 class SurfaceProvider {
 public:
@@ -180,6 +198,11 @@ public:
     /// Renders one frame and, with a window, presents it. Settings come from the cvars. Does nothing visible
     /// before a level is loaded (the overlay still shows). Returns the frame's number, counted from 0.
     virtual uint64_t render(const Frame& frame) = 0;
+
+    /// Who is told while render() waits for a compiler; null: nobody. It must outlive the renderer, or be taken back.
+    virtual void watch_compilation(CompilationWatcher* /*watcher*/) {}
+    /// Whether shaders are being compiled; that cannot be broken off.
+    virtual bool compiling() const { return false; }
 
     /// The last frame after tone mapping, with or without its overlay.
     virtual Picture read_picture(bool with_overlay) = 0;

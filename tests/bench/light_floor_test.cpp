@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace vigil::test {
 namespace {
@@ -82,7 +84,11 @@ TEST_F(LightFloorTest, IsBelowEveryTechnique) {
         show(scene_called(name));
         const bench::LightFloor least = floor(64);
         EXPECT_GT(least.variance, 0.0) << name;
-        std::cout << fmt::format("{}: floor {:.3g} +- {:.2g}", name, least.variance, least.error);
+        std::cout << fmt::format("{}: floor {:.3g} ({:.3g}, {:.3g})", name, least.variance,
+                                 least.halves[0], least.halves[1]);
+        EXPECT_NEAR(0.5 * (least.halves[0] + least.halves[1]), least.variance,
+                    1e-3 * least.variance)
+            << name;
         for (const TechniqueInfo& info : technique_infos) {
             if (info.name == "brute") continue;
             const Noise measured = noise(info.name, 60);

@@ -11,8 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace vigil::bench {
 
@@ -115,6 +120,96 @@ TEST(Plan, TheDefaultIsAmongWhatIsTried) {
     }
 }
 
+TEST(Plan, ViewsAreEnoughForIntervals) {
+    for (const auto& make : plans) {
+        for (const Part& part : make({}).parts) {
+            const QualityOptions& options = part.options;
+            if (options.measured == Measured::Times) {
+                EXPECT_GE(options.seeds, 6) << part.name; // flights
+                continue;
+            }
+            EXPECT_GE(options.views, 4) << part.name;
+            if (part.axis != "resolution") {
+                EXPECT_GE(options.views * options.seeds, 6) << part.name;
+            }
+        }
+    }
+}
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A row of a report of `trade`: error times time over the default's, with the worst pixels and
+/// without.
+ordered_json trade_row(const std::string& label, const ordered_json& all,
+                       const ordered_json& trimmed) {
+    return {{"label", label},
+            {"variables", {{"pt_nee", "lh"}, {label.substr(0, label.find('=')), "4"}}},
+            {"mse", {{"ratio_at_equal_time", {{"value", all}}}}},
+            {"trimmed_mse", {{"ratio_at_equal_time", {{"value", trimmed}}}}}};
+}
+
+ordered_json trade_part(const std::string& level, const std::vector<ordered_json>& rows) {
+    return {{"part", level + " pt_lh_leaf"}, {"level", level}, {"baseline", "lh"}, {"rows", rows}};
+}
+
+ordered_json trade_report(const std::vector<ordered_json>& parts) {
+    return {{"measured", "trade"}, {"commit", "abc"}, {"key", "123"},  {"finished", true},
+            {"first_seed", 1},     {"seeds", 2},      {"parts", parts}};
+}
+
+} // namespace
+
+TEST(Plan, WhatLooksBetterThanTheDefaultIsMeasuredAgain) {
+    const test::ScratchFolder folder;
+    const std::string path = (folder.path() / "trade.json").string();
+    const auto confirm = [&](const ordered_json& report, const Words& more = {}) {
+        write_file(path, report.dump());
+        Words words = {"--trade", path};
+        words.insert(words.end(), more.begin(), more.end());
+        return confirm_plan(words);
+    };
+    // Better by the mean of both levels; where errors tell nothing there is nothing to measure.
+    const ordered_json report = trade_report(
+        {trade_part("warehouse", {trade_row("lh", 1.0, 1.0), trade_row("pt_lh_leaf=4", 1.1, 0.5),
+                                  trade_row("pt_lh_leaf=1", 0.5, 1.2)}),
+         trade_part("gallery",
+                    {trade_row("pt_lh_leaf=4", 0.8, 1.5), trade_row("pt_lh_leaf=1", 0.5, 0.9)}),
+         trade_part("mine", {trade_row("pt_lh_leaf=4", nullptr, nullptr)})});
+    const Plan plan = confirm(report);
+    ASSERT_EQ(plan.parts.size(), 2u);
+    EXPECT_EQ(plan.parts[0].name, "warehouse pt_lh_leaf");
+    EXPECT_EQ(plan.parts[1].level, "gallery");
+    EXPECT_EQ(plan.about["trade"]["key"], "123");
+    for (const Part& part : plan.parts) {
+        const QualityOptions& options = part.options;
+        ASSERT_EQ(options.rows.size(), 2u);
+        EXPECT_EQ(options.baseline, "lh");
+        EXPECT_EQ(options.rows[0].label, "lh");
+        EXPECT_EQ(options.rows[1].label, "pt_lh_leaf=4");
+        ASSERT_EQ(options.rows[1].settings.size(), 2u);
+        EXPECT_EQ(options.rows[1].settings[1].name, "pt_lh_leaf");
+        EXPECT_GE(options.views, 4);
+        EXPECT_GE(options.seeds, 6);
+        EXPECT_GT(options.first_seed, 2); // seeds 1 and 2 chose
+    }
+    EXPECT_THROW(confirm(report, {"--first-seed", "2"}), Error);
+    EXPECT_NO_THROW(confirm(report, {"--first-seed", "3"}));
+
+    EXPECT_TRUE(
+        confirm(trade_report({trade_part("gallery", {trade_row("pt_lh_leaf=1", 1.1, 0.5)})}))
+            .parts.empty());
+    ordered_json unfinished = report;
+    unfinished["finished"] = false;
+    EXPECT_THROW(confirm(unfinished), Error);
+    ordered_json other = report;
+    other["measured"] = "quality";
+    EXPECT_THROW(confirm(other), Error);
+    EXPECT_THROW(confirm_plan(Words{"--trade", path + "x"}), Error);
+    EXPECT_THROW(quality_plan(Words{"--trade", path}), Error);
+}
+
 TEST(Presets, TheDefaultsAreOneOfThem) {
     const client::Preset* preset = client::present_preset(CvarRegistry());
     ASSERT_NE(preset, nullptr);
@@ -179,11 +274,16 @@ TEST(PlanCsv, HasALineForEveryMeasureAndFrame) {
                 {"low", nullptr},
                 {"high", 1.0},
                 {"ratio", {{"value", 1.0}, {"low", 1.0}, {"high", 1.0}}}}},
+              {"trimmed_mse",
+               {{"frames",
+                 {{{"value", 7.0}, {"median", {{"value", 6.0}, {"low", 5.0}, {"high", 8.0}}}}}}}},
               {"path_ms", {{"frames", {2.0, 3.0}}}}}}}}}}};
     EXPECT_EQ(plan_csv(report),
               "part,level,width,height,triangles,lights,row,measure,frame,value,low,high\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse,,0.5,,1\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse.ratio,,1,1,1\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,trimmed_mse,1,7,,\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,trimmed_mse.median,1,6,5,8\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,1,2,,\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,2,3,,\n");
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Intervals cover what they claim to, over many synthetic experiments with a known truth; errors
-// that were planted in pictures are found again although the reference is noisy.
+// Statistics of measurements, and errors that were planted in pictures and are found again although
+// the reference is noisy. How often intervals hold the truth is in coverage_test.cpp.
 #include "bench/quality_estimate.h"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <random>
+#include <vector>
 
 namespace vigil::bench {
 
@@ -21,37 +22,11 @@ double normal(Random& random, double mean = 0.0, double deviation = 1.0) {
     return std::normal_distribution<double>(mean, deviation)(random);
 }
 
-/// Share of experiments whose interval holds the truth.
-double coverage(double truth, const std::function<Interval(Random&)>& experiment) {
-    Random random(5);
-    constexpr int experiments = 1500;
-    int covered = 0;
-    for (int i = 0; i < experiments; ++i) {
-        const Interval interval = experiment(random);
-        covered += interval.low <= truth && truth <= interval.high;
-    }
-    return covered / static_cast<double>(experiments);
-}
-
-/// Four standard errors of a share of 95% over the experiments of coverage().
-constexpr double tolerance = 0.0225;
-
 Strata constant(double value) {
     return Strata(views, std::vector<double>(seeds, value));
 }
 
 } // namespace
-
-TEST(Intervals, OfAProductAddTheirLogarithms) {
-    const Interval result = product({2.0, 1.0, 4.0}, {3.0, 3.0, 3.0});
-    EXPECT_DOUBLE_EQ(result.value, 6.0);
-    EXPECT_DOUBLE_EQ(result.low, 3.0);
-    EXPECT_DOUBLE_EQ(result.high, 12.0);
-    const double three_four_five =
-        product({1.0, std::exp(-3.0), std::exp(3.0)}, {1.0, std::exp(-4.0), std::exp(4.0)}).high;
-    EXPECT_NEAR(std::log(three_four_five), 5.0, 1e-12);
-    EXPECT_TRUE(std::isnan(product({1.0, NAN, NAN}, {1.0, 0.5, 2.0}).low));
-}
 
 TEST(PictureError, KnowsTheBrightPart) {
     // Ten pixels of which one is bright; errors of 1 there and 2 elsewhere.
@@ -79,103 +54,114 @@ TEST(StudentT, AgreesWithPublishedTables) {
     EXPECT_NEAR(student_t_quantile(0.025, 3.0), -3.182446, 1e-5);
 }
 
-TEST(MeanInterval, CoversAtTheStatedRateWithUnequalViews) {
-    const double truth = (1.0 + 2.0 + 3.0 + 4.0) / views;
-    const double rate = coverage(truth, [](Random& random) {
-        Strata values = constant(0.0);
-        for (int view = 0; view < views; ++view)
-            for (double& value : values[view])
-                value = normal(random, 1.0 + view, 0.1 * std::pow(3.0, view));
-        return mean_interval(values);
-    });
-    EXPECT_NEAR(rate, 0.95, tolerance);
+TEST(Means, AreOfTheViewsMeans) {
+    EXPECT_DOUBLE_EQ(mean_over_views({{1.0}, {2.0, 4.0}}), 2.0);
+    EXPECT_DOUBLE_EQ(ratio_of_means({{1.0}, {2.0, 4.0}}, {{4.0}, {4.0, 4.0}}), 0.5);
+    EXPECT_TRUE(std::isnan(ratio_of_means(constant(-1.0), constant(2.0))));
+    EXPECT_TRUE(std::isnan(ratio_of_means(constant(1.0), constant(0.0))));
 }
 
-TEST(MeanInterval, KnowsWhatItCannotKnow) {
-    const Interval single = mean_interval({{1.0}, {2.0}});
-    EXPECT_EQ(single.value, 1.5);
-    EXPECT_TRUE(std::isnan(single.low) && std::isnan(single.high));
-    const Interval exact = mean_interval(constant(2.0));
-    EXPECT_EQ(exact.low, 2.0);
-    EXPECT_EQ(exact.high, 2.0);
-}
-
-TEST(RatioInterval, CoversAtTheStatedRateForPairs) {
-    // Each seed multiplies both techniques' errors by the same luck, and each by some of its own.
-    const double rate = coverage(0.25, [](Random& random) {
-        Strata above = constant(0.0), below = constant(0.0);
-        for (int view = 0; view < views; ++view) {
-            for (int seed = 0; seed < seeds; ++seed) {
-                const double common = normal(random, 1.0 + view, 0.2);
-                above[view][seed] = 0.25 * common * normal(random, 1.0, 0.1);
-                below[view][seed] = common * normal(random, 1.0, 0.1);
-            }
+TEST(MedianInterval, AgreesWithPublishedRanks) {
+    // The table of the sign test: two-sided 95%, from below and from above.
+    const auto rank_of = [](int count) {
+        std::vector<double> values(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i)
+            values[static_cast<std::size_t>(i)] = i + 1;
+        std::ranges::reverse(values); // order is of no importance
+        const Interval interval = median_interval(values);
+        EXPECT_EQ(interval.value, 0.5 * (count + 1));
+        if (!std::isnan(interval.low)) {
+            EXPECT_EQ(interval.low + interval.high, count + 1.0);
         }
-        return ratio_interval(above, below);
-    });
-    EXPECT_NEAR(rate, 0.95, tolerance);
+        return interval.low;
+    };
+    EXPECT_TRUE(std::isnan(rank_of(5)));
+    EXPECT_EQ(rank_of(6), 1.0);
+    EXPECT_EQ(rank_of(8), 1.0);
+    EXPECT_EQ(rank_of(9), 2.0);
+    EXPECT_EQ(rank_of(16), 4.0);
+    EXPECT_EQ(rank_of(24), 7.0);
+    EXPECT_EQ(rank_of(32), 10.0);
 }
 
-TEST(RatioInterval, PairingTakesOutWhatTwoTechniquesShare) {
+TEST(TypicalRun, NeedsFourViewsForAnInterval) {
+    const std::vector<double> view = {1.0, 2.0, 3.0};
+    const Interval three = typical_run({view, view, view});
+    EXPECT_EQ(three.value, 2.0);
+    EXPECT_TRUE(std::isnan(three.low) && std::isnan(three.high));
+    const Interval four = typical_run({view, view, view, view});
+    EXPECT_EQ(four.low, 1.0);
+    EXPECT_EQ(four.high, 3.0);
+    EXPECT_TRUE(std::isnan(typical_run({{1.0, NAN}, {2.0}, {3.0}, {4.0}}).value));
+}
+
+TEST(TypicalRatio, PairingTakesOutWhatTwoTechniquesShare) {
     Strata above = constant(0.0), below = constant(0.0);
     Random random(1);
     for (int view = 0; view < views; ++view)
         for (int seed = 0; seed < seeds; ++seed)
             above[view][seed] = 3.0 * (below[view][seed] = std::exp(normal(random)));
-    const Interval ratio = ratio_interval(above, below);
-    EXPECT_NEAR(ratio.value, 3.0, 1e-12);
-    EXPECT_NEAR(ratio.low, 3.0, 1e-9);
-    EXPECT_NEAR(ratio.high, 3.0, 1e-9);
+    const Comparison ratio = typical_ratio(above, below);
+    EXPECT_NEAR(ratio.ratio.value, 3.0, 1e-12);
+    EXPECT_NEAR(ratio.ratio.low, 3.0, 1e-9);
+    EXPECT_NEAR(ratio.ratio.high, 3.0, 1e-9);
+    EXPECT_NEAR(ratio.p, 2.0 * std::pow(0.5, 32), 1e-15);
 }
 
-TEST(RatioInterval, HasNoIntervalWhereAnErrorIsNotPositive) {
-    const Interval ratio = ratio_interval(constant(-1.0), constant(2.0));
-    EXPECT_EQ(ratio.value, -0.5);
-    EXPECT_TRUE(std::isnan(ratio.low));
+TEST(TypicalRatio, HasTheChanceOfTheSignTest) {
+    // 8 pairs of which 7 are above 1: 2 (1 + 8) / 2^8. One that is 1 speaks for neither.
+    const Strata ones(4, {1.0, 1.0});
+    EXPECT_NEAR(typical_ratio({{2, 2}, {2, 2}, {2, 2}, {2, 0.5}}, ones).p, 18.0 / 256.0, 1e-12);
+    EXPECT_NEAR(typical_ratio({{2, 2}, {2, 2}, {2, 2}, {2, 1}}, ones).p, 18.0 / 256.0, 1e-12);
+    EXPECT_NEAR(typical_ratio({{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}, ones).p,
+                2.0 / 256.0, 1e-12);
+    EXPECT_EQ(typical_ratio(ones, ones).p, 1.0);
+    EXPECT_EQ(typical_ratio({{2, 2}, {2, 2}, {0.5, 0.5}, {0.5, 0.5}}, ones).p, 1.0);
 }
 
-TEST(RatioOverViews, CoversOtherViews) {
-    // The truth is the geometric mean of all views there could be.
-    const double rate = coverage(2.0, [](Random& random) {
-        Strata above = constant(0.0);
-        for (std::vector<double>& view : above) {
-            const double ratio = 2.0 * std::exp(normal(random, 0.0, 0.7));
-            for (double& value : view)
-                value = ratio;
-        }
-        return ratio_over_views(above, constant(1.0));
-    });
-    EXPECT_NEAR(rate, 0.95, tolerance);
+TEST(TypicalRatio, IsUnknownWhereADenominatorIsNotPositive) {
+    EXPECT_TRUE(std::isnan(typical_ratio(constant(1.0), constant(-2.0)).ratio.value));
+    EXPECT_TRUE(std::isnan(typical_ratio(constant(1.0), constant(0.0)).p));
+    EXPECT_EQ(typical_ratio(constant(-1.0), constant(2.0)).ratio.value, -0.5);
 }
 
-TEST(MedianRatio, CoversAndDoesNotMindInterruptions) {
-    const double rate = coverage(1.05, [](Random& random) {
-        Strata above = constant(0.0), below = constant(0.0);
-        const auto interruption = [&] { return random() % 8 == 0 ? 5.0 : 1.0; };
-        for (int view = 0; view < views; ++view) {
-            for (int seed = 0; seed < seeds; ++seed) {
-                above[view][seed] = 1.05 * normal(random, 10.0, 0.2) * interruption();
-                below[view][seed] = normal(random, 10.0, 0.2) * interruption();
-            }
-        }
-        return median_ratio(above, below);
-    });
-    EXPECT_GE(rate, 0.95 - tolerance); // order statistics cannot hit 95% exactly: 96.5% of 32 pairs
-    EXPECT_LE(rate, 0.965 + tolerance);
+TEST(RatioOverViews, IsTheGeometricMeanOfTheViewsMedians) {
+    const Strata below = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {2, 2, 2}};
+    const Strata above = {{1, 1, 100}, {4, 4, 0}, {1, 1, 1}, {8, 8, 8}};
+    const Interval over = ratio_over_views(above, below);
+    EXPECT_NEAR(over.value, 2.0, 1e-12);
+    // Logarithms to base 2 are 0, 2, 0, 2: their deviation is 2 / sqrt(3).
+    EXPECT_NEAR(std::log2(over.high / over.value), 3.182446 / std::sqrt(3.0), 1e-5);
+    EXPECT_NEAR(over.low * over.high, 4.0, 1e-9);
+    EXPECT_TRUE(std::isnan(ratio_over_views({{1}, {2}, {3}}, {{1}, {1}, {1}}).low));
 }
 
-TEST(MedianRatio, NeedsSixPairs) {
-    EXPECT_TRUE(std::isnan(median_ratio({{1, 2, 3, 4, 5}}, {{1, 1, 1, 1, 1}}).low));
-    const Interval six = median_ratio({{1, 2, 3, 4, 5, 6}}, {{1, 1, 1, 1, 1, 1}});
-    EXPECT_EQ(six.value, 3.5);
-    EXPECT_EQ(six.low, 1.0);
-    EXPECT_EQ(six.high, 6.0);
+TEST(RatioOverFlights, CountsAFlightOnce) {
+    // Frames of a flight: as many as one likes make no interval without six flights.
+    const Strata ones(50, std::vector<double>(5, 1.0));
+    EXPECT_TRUE(std::isnan(ratio_over_flights(ones, ones).low));
+    Strata above(3, std::vector<double>(6));
+    for (std::size_t frame = 0; frame < 3; ++frame)
+        for (std::size_t flight = 0; flight < 6; ++flight)
+            above[frame][flight] = static_cast<double>(flight + 1 + 10 * frame);
+    const Interval ratio = ratio_over_flights(above, Strata(3, std::vector<double>(6, 1.0)));
+    EXPECT_EQ(ratio.value, 13.5);
+    EXPECT_EQ(ratio.low, 11.0);
+    EXPECT_EQ(ratio.high, 16.0);
 }
 
-TEST(Widened, AddsIndependentErrors) {
-    const Interval wider = widened({10.0, 10.0 - 3.0, 10.0 + 3.0}, 4.0 / 1.959964);
-    EXPECT_NEAR(wider.low, 5.0, 1e-6);
-    EXPECT_NEAR(wider.high, 15.0, 1e-6);
+TEST(StandsOut, GoesByHolm) {
+    // 0.01 x 4 and 0.012 x 3 are below 0.05, 0.03 x 2 is not, so neither is what follows.
+    const std::vector<double> p = {0.03, 0.01, NAN, 0.04, 0.012};
+    EXPECT_EQ(stands_out(p), (std::vector<bool>{false, true, false, false, true}));
+    EXPECT_EQ(stands_out(std::vector<double>{0.02, 0.02, 0.02}),
+              (std::vector<bool>{false, false, false}));
+    EXPECT_EQ(stands_out(std::vector<double>{0.02}), std::vector<bool>{true});
+    EXPECT_TRUE(stands_out({}).empty());
+}
+
+TEST(Times, AreOfSingleRuns) {
+    EXPECT_EQ(times({{1, 2}, {3}}, {{4, 5}, {6}}), (Strata{{4, 10}, {18}}));
 }
 
 TEST(MissesLight, WhereAViewLacksMoreThanChanceExplains) {
@@ -186,13 +172,13 @@ TEST(MissesLight, WhereAViewLacksMoreThanChanceExplains) {
     EXPECT_FALSE(misses_light({{0.5}, {0.5}}));                   // one seed says nothing
 }
 
-TEST(MissesLight, TellsIntervalsThatWouldBeFarTooNarrow) {
+TEST(MissesLight, TellsMeansThatAreFarTooLow) {
     // One frame in 50 meets light that makes half of the mean, and all of the error.
     Random random(11);
     constexpr double share = 0.02;
     std::bernoulli_distribution meets(share);
     const double truth = 0.25 / share;
-    int narrow = 0, told = 0;
+    int low = 0, told = 0;
     for (int experiment = 0; experiment < 2000; ++experiment) {
         Strata mean_ratio(4), mse(4);
         for (int view = 0; view < 4; ++view)
@@ -201,12 +187,12 @@ TEST(MissesLight, TellsIntervalsThatWouldBeFarTooNarrow) {
                 mean_ratio[view].push_back(normal(random, met ? 0.5 + 0.5 / share : 0.5, 0.01));
                 mse[view].push_back(normal(random, met ? 0.25 / (share * share) : 0.01, 0.001));
             }
-        if (mean_interval(mse).high > truth) continue;
-        ++narrow;
+        if (mean_over_views(mse) > 0.5 * truth) continue;
+        ++low;
         told += misses_light(mean_ratio) ? 1 : 0;
     }
-    EXPECT_GT(narrow, 1000);
-    EXPECT_EQ(told, narrow);
+    EXPECT_GT(low, 1000);
+    EXPECT_EQ(told, low);
 }
 
 TEST(PictureErrors, PlantedErrorIsFoundDespiteANoisyReference) {

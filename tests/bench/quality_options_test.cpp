@@ -8,6 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <string>
+#include <vector>
+
 namespace vigil::bench {
 
 namespace {

@@ -17,7 +17,7 @@ namespace vigil::test {
 inline constexpr std::array<uint32_t, 4> cdq_sizes{32, 64, 96, 128};
 
 /// Sanitizers slow everything down; the counts of random cases shrink with them.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef VIGIL_SANITIZED
 inline constexpr bool sanitized = true;
 #else
 inline constexpr bool sanitized = false;

@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -333,7 +334,7 @@ TEST_F(DemoTest, WhatCannotBePlayedEndsWithOneMessage) {
     fault("+demomap text", "demos/text.dm2: byte 0");
     fault("+demomap absent", "there is no demo demos/absent.dm2");
     fault("+demomap ../../x", "is no name of a demo");
-    fault("+map tiny +record ../x", "not recorded");
+    fault("+map tiny +record ../x", "not written, the name goes up");
     fault("+record x", "no level is loaded");
     fault("+map tiny +record x nowhere", "there is no route");
     fault("+stop", "nothing is recorded or played");

@@ -8,8 +8,11 @@
 #include "world/level.h"
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace vigil::client {
@@ -17,6 +20,7 @@ namespace vigil::client {
 /// What happened, kept outside so that it outlives the renderer.
 struct RenderLog {
     refresh::Health health;
+    std::string device = "a fake device";
     std::vector<std::string> calls; // "map tiny", "render", "picture", "radiance", "export PATH"
     std::vector<refresh::View> views;
     std::vector<double> times;
@@ -29,7 +33,10 @@ struct RenderLog {
     std::vector<std::string> models;           // registered, in order
 
     std::set<std::string, std::less<>> broken_models;
-    int fail_at_frame = -1; // render throws in this frame
+    int fail_at_frame = -1;  // render throws in this frame
+    int reports = 0;         // of a compiler that the next frame waits for, the last one included
+    double compile_s = 0.0;  // that it waits
+    std::vector<bool> drawn; // whether each report was answered with something to draw
 
     size_t count(std::string_view call) const {
         return static_cast<size_t>(std::count(calls.begin(), calls.end(), call));
@@ -50,7 +57,16 @@ public:
         log_.models.emplace_back(name);
         return static_cast<refresh::ModelHandle>(log_.models.size()) - 1;
     }
+    void watch_compilation(refresh::CompilationWatcher* watcher) override { watcher_ = watcher; }
     uint64_t render(const refresh::Frame& frame) override {
+        const int count = std::exchange(log_.reports, 0), last = count - 1;
+        for (int i = 0; i < count; ++i) {
+            std::this_thread::sleep_for(std::chrono::duration<double>(log_.compile_s / count));
+            const std::vector<std::string> passes =
+                i < last ? std::vector<std::string>{"shade"} : std::vector<std::string>();
+            log_.drawn.push_back(watcher_->compiling({passes, i, last, 0.5f, log_.compile_s}) !=
+                                 nullptr);
+        }
         if (log_.fail_at_frame == frames_) fail("the device was lost");
         ++frames_;
         log_.calls.emplace_back("render");
@@ -81,7 +97,7 @@ public:
         return times;
     }
     std::string describe_scene() const override { return "a fake scene"; }
-    std::string describe_device() const override { return "a fake device"; }
+    std::string describe_device() const override { return log_.device; }
     std::string describe_guiding() const override { return "fake guiding"; }
     std::string describe_leaf() const override { return "a fake leaf"; }
     std::string describe_directions() const override { return "a fake quadtree"; }
@@ -92,6 +108,7 @@ public:
 
 private:
     RenderLog& log_;
+    refresh::CompilationWatcher* watcher_ = nullptr;
     std::shared_ptr<const Level> level_;
     int frames_ = 0;
     uint64_t rendered_ = 0; // frames, and how many of them had their times taken

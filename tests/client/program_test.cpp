@@ -2,6 +2,7 @@
 // The whole program without a display and without a GPU: command line in, calls of the renderer,
 // files and the exit status out.
 #include "client/client.h"
+#include "client/driver_advice.h"
 #include "common/archive_builder.h"
 #include "common/full_disk.h"
 #include "fake_renderer.h"
@@ -271,6 +272,80 @@ TEST_F(ProgramTest, AFlightThatCannotWriteStopsAndFails) {
     EXPECT_EQ(run("+map tiny +fly line 10 shot 2"), 1); // also when nothing follows
     EXPECT_EQ(run("+map tiny +fly nowhere"), 1);
     EXPECT_NE(errors_.find("line"), std::string::npos); // the routes there are
+}
+
+TEST_F(ProgramTest, NamesThatCannotBeWrittenAreRefusedBeforeTheWork) {
+    game_.write("out/taken.json/occupied", "a folder where a report should go");
+    game_.write("out/taken_000.png/occupied", "a folder where a picture should go");
+    game_.write("out/taken.png/occupied", "a folder where a picture should go");
+    game_.write("out/taken.exr/occupied", "a folder where a picture should go");
+    game_.write("out/taken.gltf/occupied", "a folder where a scene should go");
+    game_.write("out/walks/taken.walk/occupied", "a folder where a walk should go");
+    game_.write("out/demos/taken.dm2/occupied", "a folder where a demo should go");
+    game_.write("out/file", "a file where a folder should be");
+    const struct {
+        std::string words, message;
+    } cases[] = {
+        {"+set timedemo_json /tmp/fly.json +map tiny +fly line 10", "the name is absolute"},
+        {"+set timedemo_json ../fly.json +map tiny +fly line 10", "the name goes up"},
+        {"+set timedemo_json taken.json +map tiny +fly line 10", "taken.json: cannot write"},
+        {"+set timedemo_json file/fly.json +map tiny +fly line 10", "out/file"},
+        {"+map tiny +fly line 10 /tmp/shot 1", "the name is absolute"},
+        {"+map tiny +fly line 10 taken 1", "taken_000.png: cannot write"},
+        {"+map tiny +screenshot /tmp/shot", "the name is absolute"},
+        {"+map tiny +screenshot taken", "taken.png: cannot write"},
+        {"+map tiny +screenshot_hdr ../shot", "the name goes up"},
+        {"+map tiny +screenshot_hdr taken", "taken.exr: cannot write"},
+        {"+map tiny +exportscene /tmp/scene", "the name is absolute"},
+        {"+map tiny +exportscene taken", "taken.gltf: cannot write"},
+        {"+map tiny +record /tmp/x", "demos//tmp/x.dm2"},
+        {"+map tiny +record taken", "taken.dm2: cannot write"},
+        {"+map tiny +walkrecord ../x", "the name goes up"},
+        {"+map tiny +walkrecord taken", "taken.walk: cannot write"},
+    };
+    for (const auto& [words, message] : cases) {
+        errors_.clear();
+        render_.calls.clear();
+        EXPECT_EQ(run(words), 1) << words;
+        EXPECT_NE(errors_.find(message), std::string::npos) << words << ": " << errors_;
+        EXPECT_EQ(std::count(errors_.begin(), errors_.end(), '\n'), 1) << errors_;
+        EXPECT_LE(render_.count("render"), 1u) << words; // the last wait of every command line
+        EXPECT_EQ(render_.count("picture") + render_.count("radiance"), 0u) << words;
+        cvars().reset("timedemo_json");
+    }
+}
+
+TEST_F(ProgramTest, WhatADriverCompilesIsNoneOfAFlightsTime) {
+    render_.reports = 4;
+    render_.compile_s = 0.5;
+    EXPECT_EQ(run("+set timedemo_json fly.json +map tiny +fly line 10"), 0) << errors_;
+    EXPECT_EQ(render_.count("render"), 6u);
+    EXPECT_EQ(render_.drawn, std::vector<bool>(4, false)); // there is no window
+    const auto report = nlohmann::json::parse(game_.read("out/fly.json"));
+    EXPECT_LT(report["frames"][0]["ms"].get<double>(), 400.0);
+    EXPECT_GT(report["frames"][0]["ms"].get<double>(), 0.0);
+}
+
+TEST_F(ProgramTest, SlowSoftwareDriversAreToldOf) {
+    const std::string old = "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6 (LLVM 15.0.6), Vulkan 1";
+    const auto fetched = game_.path("mesa/lvp_icd.json");
+    EXPECT_NE(driver_advice(old, fetched).find("Mesa 22.3.6 is slow"), std::string::npos);
+    EXPECT_NE(driver_advice(old, fetched).find("`./run` fetches"), std::string::npos);
+    game_.write("mesa/lvp_icd.json", "{}");
+    EXPECT_NE(driver_advice(old, fetched).find("VK_DRIVER_FILES=" + fetched.string()),
+              std::string::npos);
+    for (const char* device :
+         {"llvmpipe (LLVM 15.0.6, 256 bits), Mesa 25.0.7-2~bpo12+1 (LLVM 15.0.6), Vulkan 1.4.305",
+          "AMD Radeon RX 6600 (RADV NAVI23), Mesa 22.3.6, Vulkan 1.3.230", "a fake device", ""})
+        EXPECT_EQ(driver_advice(device, fetched), "") << device;
+    // A run of the program says it.
+    render_.device = old;
+    EXPECT_EQ(run("+map tiny +wait 1"), 0);
+    EXPECT_NE(output_.find("Mesa 22.3.6 is slow"), std::string::npos) << output_;
+    render_.device = "a fake device";
+    output_.clear();
+    EXPECT_EQ(run("+map tiny +wait 1"), 0);
+    EXPECT_EQ(output_.find("is slow"), std::string::npos) << output_;
 }
 
 TEST_F(ProgramTest, ChangesTheLevelsLightsAndModels) {

@@ -69,7 +69,7 @@ protected:
             std::vector<Event> now;
             for (const auto& [when, event] : events)
                 if (when == frame) now.push_back(event);
-            if (frame == frames) now.emplace_back(CloseEvent{});
+            if (frame >= frames) now.emplace_back(CloseEvent{});
             return now;
         });
         window_ = &window;
@@ -125,6 +125,29 @@ TEST_F(Steering, SticksFlyAndLookUnlessTheMenuIsOpen) {
     EXPECT_EQ(angles[2].x, angles[1].x);
     EXPECT_EQ(origin[3], origin[2]);
     EXPECT_EQ(angles[3], angles[2]);
+}
+
+TEST_F(Steering, WhileShadersAreCompiledTheWindowAnswersAndTheWorldStands) {
+    log_.reports = 5;
+    log_.compile_s = 0.4;
+    bool open[2]{};
+    // Polls 1 to 5 are those of the first frame's wait, the key's among them.
+    play({{3, down(Key::Escape)}, {3, up(Key::Escape)}}, 9, [&](int poll, Client& client) {
+        if (poll == 4) open[0] = client.menu().is_open();
+        if (poll == 8) open[1] = client.menu().is_open();
+    });
+    EXPECT_EQ(log_.drawn, (std::vector<bool>{true, true, true, true, true}));
+    EXPECT_FALSE(open[0]) << "the menu opened in the midst of a frame";
+    EXPECT_TRUE(open[1]) << "what was typed is lost";
+    ASSERT_GE(log_.times.size(), 2u);
+    EXPECT_LT(log_.times[1] - log_.times[0], 0.3);
+}
+
+TEST_F(Steering, AWindowThatIsClosedWhileShadersAreCompiledEnds) {
+    log_.reports = 1000;
+    play({}, 3, [](int, Client&) {});
+    EXPECT_LE(log_.drawn.size(), 3u);
+    EXPECT_EQ(log_.count("render"), 0u);
 }
 
 TEST_F(Steering, TheRightButtonDragsTheLine) {

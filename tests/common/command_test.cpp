@@ -6,6 +6,7 @@
 #include "common/error.h"
 #include "scratch_folder.h"
 
+#include <fmt/ranges.h>
 #include <map>
 
 namespace vigil {

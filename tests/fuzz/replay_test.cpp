@@ -16,15 +16,21 @@ namespace fs = std::filesystem;
 
 class Replay : public testing::TestWithParam<Target> {};
 
+TEST_P(Replay, HasSeeds) {
+    EXPECT_FALSE(built_seeds(GetParam()).empty() &&
+                 found_seeds(GetParam(), VIGIL_SOURCE_DIR "/baseq2").empty() &&
+                 found_seeds(GetParam(), VIGIL_SOURCE_DIR "/tests/data").empty());
+}
+
 TEST_P(Replay, Seeds) {
     for (const Bytes& seed : built_seeds(GetParam()))
-        GetParam().run(seed);
+        EXPECT_NO_THROW(GetParam().run(seed));
 }
 
 TEST_P(Replay, FilesOfTheProject) {
     for (const char* folder : {VIGIL_SOURCE_DIR "/baseq2", VIGIL_SOURCE_DIR "/tests/data"})
         for (const Bytes& file : found_seeds(GetParam(), folder))
-            GetParam().run(file);
+            EXPECT_NO_THROW(GetParam().run(file));
 }
 
 TEST_P(Replay, Regressions) {
@@ -34,7 +40,7 @@ TEST_P(Replay, Regressions) {
         SCOPED_TRACE(entry.path());
         std::ifstream file(entry.path(), std::ios::binary);
         const Bytes bytes(std::istreambuf_iterator<char>(file), {});
-        GetParam().run(bytes);
+        EXPECT_NO_THROW(GetParam().run(bytes));
     }
 }
 

@@ -67,7 +67,7 @@ Bytes lump_of(const Bytes& file, std::size_t entry) {
 std::vector<Bytes> built_seeds(const Target& target) {
     const std::string_view name = target.name;
     const Image picture = test_picture(13, 7);
-    if (name == "bsp") return {write_level(small_level())};
+    if (name == "bsp" || name == "scene") return {write_level(small_level())};
     if (name == "pvs") return {small_level()[level_visibility]};
     if (name == "entities") return {small_level()[level_entities]};
     if (name == "pak") return archives(test::build_pak);
@@ -96,6 +96,8 @@ std::vector<Bytes> built_seeds(const Target& target) {
     if (name == "cfg" || name == "packed_cfg") return scripts();
     if (name == "route")
         return texts({"0 0 0 10 0 0 0\n0.5 100 0 10 0 90 0 # halfway\n2 1 2 3 4 5 6\n"});
+    if (name == "walk") // real ones are larger than the target's inputs
+        return texts({"# a walk\n30 0 0 0 0 30 0 0\n3 306 257 0 0 20.5 0 0\n1 0 0 -8 89 -7 0 1\n"});
     if (name == "materials")
         return texts({R"({"Test/SAND": {"roughness": 0.3, "specular": 0.05}, "b": {}})"});
     if (name == "style") return texts({"mmnmmommommnonmmonqnmmo", "a", ""});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one table of fuzz targets: every parser of bytes that come from outside. CMake makes a
+// The one table of fuzz targets: every parser of bytes that come from outside, and what is built
+// from them. CMake makes a
 // libFuzzer program fuzz_NAME of each row (it reads this text), and a row needs a function fuzz_NAME
 // in one of the files *_targets.cpp; nothing else lists them.
 #ifndef VIGIL_FUZZ_TARGET_TABLE_H
@@ -11,6 +12,7 @@
 // clang-format off
 #define VIGIL_FUZZ_TARGETS(ROW) \
     ROW(bsp,        ".bsp",      65536,   8000, "levels: IBSP 38, with everything that walks them") \
+    ROW(scene,      ".bsp",      65536,   2000, "levels as scenes: materials, geometry, lights, light lists, hierarchies") \
     ROW(pvs,        "",          16384,  10000, "visibility rows of a level") \
     ROW(entities,   "",          16384,  20000, "entity text of a level") \
     ROW(pak,        ".pak",      16384,  60000, "PACK archives and the names in them") \

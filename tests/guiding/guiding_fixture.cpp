@@ -16,10 +16,11 @@ namespace {
 /// Between SetUpTestSuite and TearDownTestSuite.
 struct Shared {
     Shared()
-        : device(test::validated(), nullptr),
-          guiding(device, nullptr, 2), slots{gpu::FrameCommands(device),
+        : device(test::validated(), nullptr), compiler(device, {}),
+          guiding(device, compiler, 2), slots{gpu::FrameCommands(device),
                                              gpu::FrameCommands(device)} {}
     gpu::Device device;
+    gpu::PipelineCompiler compiler; // its cache is kept nowhere
     vkpt::Guiding guiding;
     std::array<gpu::FrameCommands, 2> slots; // frames in flight
 };

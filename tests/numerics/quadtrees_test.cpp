@@ -90,8 +90,9 @@ TEST(Quadtrees, ASunSmallerThanTheSmallestLeaf) {
                     continue;
                 }
                 ++hits;
-                const float pdf = mix(cdq_pdf(field, bits, direction),
-                                      cosine_hemisphere_pdf(direction.z), brdf_part);
+                const float pdf =
+                    cdq_mixture_pdf(bits, cdq_find(field, octahedral_encode(direction)).depth,
+                                    direction, cosine_hemisphere_pdf(direction.z), brdf_part);
                 ASSERT_TRUE(is_sound(pdf) && pdf > 0.0f);
                 mean.add(1.0 / double(pdf));
             }
@@ -118,8 +119,24 @@ TEST(Quadtrees, SharesOfZeroAndOne) {
         }
     EXPECT_EQ(cdq_even_density(128, 0.0f), 0.0f);
     // A mixture with a share of exactly 0 or 1 is one of its parts, to the last bit.
-    EXPECT_EQ(mix(3.7f, 0.0f, 0.0f), 3.7f);
-    EXPECT_EQ(mix(3.7e30f, 1.1e-7f, 1.0f), 1.1e-7f);
+    Random random = random_begin(uvec2(0, 0), 0, 3);
+    Worst error;
+    for (const uint bits : cdq_sizes) {
+        const uvec4 field = tree_towards(bits, dvec2(0.3, 0.61)).field();
+        for (int i = 0; i < 1000; ++i) {
+            const vec3 direction = cdq_sample(field, bits, random_next3(random));
+            const uint depth = cdq_find(field, octahedral_encode(direction)).depth;
+            const float pdf = cdq_pdf(field, bits, direction);
+            for (const float other : {0.0f, 1.1e-7f, 0.318f, 3.7e30f}) {
+                ASSERT_EQ(cdq_mixture_pdf(bits, depth, direction, other, 0.0f), pdf);
+                ASSERT_EQ(cdq_mixture_pdf(bits, depth, direction, other, 1.0f), other);
+                error.add(relative_error(
+                    double(cdq_mixture_pdf(bits, depth, direction, other, 0.25f)),
+                    0.75 * double(pdf) + 0.25 * double(other)));
+            }
+        }
+    }
+    EXPECT_LT(error.value(), 4.0);
     record("shares", "mixtures with a share of exactly 0 or 1", "the density of the one part", "");
 }
 

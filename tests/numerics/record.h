@@ -48,7 +48,7 @@ private:
 };
 
 /// Sanitizers slow everything down; the counts of random cases shrink with them.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef VIGIL_SANITIZED
 inline constexpr int slowdown = 20;
 #else
 inline constexpr int slowdown = 1;

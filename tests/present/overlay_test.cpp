@@ -39,7 +39,11 @@ public:
         ImFontConfig config;
         config.SizePixels = size;
         fonts.AddFontDefault(&config);
+#if IMGUI_VERSION_NUM >= 19200
+        ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#else
         fonts.Build();
+#endif
     }
 
     /// One frame that covers the left half of a `width` x `height` display with pure red.

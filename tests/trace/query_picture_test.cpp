@@ -4,7 +4,7 @@
 // Lights are chosen by `uniform`, whose choice does not look at the surface: importances differ in
 // their last digits from a hit point that differs in its last digit, and one choice in a thousand
 // turns on them.
-#include "render_test.h"
+#include "vkpt/render_test.h"
 
 #include "common/log.h"
 #include "common/scratch_folder.h"

@@ -10,6 +10,7 @@
 #include "shared/random.h"
 #include "test_pass.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>

@@ -121,38 +121,6 @@ TEST_F(Features, WithoutLightEverythingIsBlack) {
     }
 }
 
-TEST_F(Features, OnePixel) {
-    load("lamp");
-    Shot shot;
-    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
-    radiance(shot);
-    vkpt::PathTracer& tracer = renderer().path_tracer();
-    renderer().device().wait_idle();
-    tracer.resize({1, 1});
-    tracer.bind(*renderer().scene(), *renderer().technique());
-    const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 16);
-    ASSERT_EQ(pixel.size(), 3u);
-    EXPECT_GT(pixel[0], 0.0f);
-    EXPECT_EQ(radiance(shot).rgb.size(), size_t{3} * 48 * 32); // and back
-}
-
-TEST_F(Features, PicturesThatDoNotFitLeaveTheProgramUsable) {
-    load("lamp");
-    Shot shot;
-    shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
-    radiance(shot);
-    set_size(16384, 16384);
-    try {
-        radiance(shot);
-        FAIL() << "15 GiB of primary hits fit into one buffer?";
-    } catch (const Error& error) {
-        EXPECT_NE(std::string_view(error.what()).find("MiB"), std::string_view::npos)
-            << error.what();
-    }
-    set_size(48, 32);
-    EXPECT_EQ(radiance(shot).width, 48);
-}
-
 TEST_F(Features, SizesChangeBetweenFrames) {
     load("lamp");
     Shot shot;
@@ -179,6 +147,7 @@ TEST_F(Features, AnotherTechniqueEveryFrame) {
     for (int frame = 0; frame < frames; ++frame) {
         for (size_t technique = 0; technique < switching.size(); ++technique) {
             set("pt_nee", std::to_string(technique)); // by number
+            set("pt_spp", technique_infos[technique].name == "brute" ? "64" : "16");
             set("pt_seed", std::to_string(frame));
             switching[technique].add(radiance(shot).rgb);
         }
@@ -186,9 +155,9 @@ TEST_F(Features, AnotherTechniqueEveryFrame) {
     set("pt_nee", "uniform");
     const PictureBatches steady = batches(shot, frames, 16, 200, 8);
     for (size_t technique = 0; technique < switching.size(); ++technique) {
-        const Comparison seen = compare(switching[technique], steady, 1);
-        EXPECT_TRUE(seen.agrees(score_limit))
-            << technique_infos[technique].name << " " << seen.text();
+        const bool brute = technique_infos[technique].name == "brute";
+        judge(technique_infos[technique].name, switching[technique], steady,
+              brute ? Bounds{0.05, 0.2, 0.4} : Bounds{0.015});
     }
 }
 
@@ -218,16 +187,31 @@ TEST_F(Features, LightsComeAndGo) {
     }
 }
 
-TEST_F(Features, ABrokenLevelLeavesTheOneBefore) {
+TEST_F(Features, ABrokenLevelOrModelLeavesTheOneBefore) {
     load("lamp");
     Shot shot;
     shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
-    radiance(shot);
-    EXPECT_THROW(renderer().register_model("*7"), Error);
-    EXPECT_THROW(renderer().register_model("models/none.md2"), Error);
-    EXPECT_THROW(renderer().register_model("models/none.glb"), Error);
-    EXPECT_THROW(renderer().register_model("*"), Error);
-    EXPECT_GT(radiance(shot).rgb[0] + 1.0f, 0.0f);
+    const auto picture = [&] {
+        renderer().render(shot.frame());
+        return trace(params(shot), renderer().scene()->features(), 4);
+    };
+    const std::vector<float> before = picture();
+    EXPECT_GT(sum_of(before), 0.0);
+    for (const char* name : {"*7", "*", "models/none.md2", "models/none.glb"}) {
+        EXPECT_THROW(renderer().register_model(name), Error) << name;
+        EXPECT_EQ(picture(), before) << name;
+    }
+    // A level that no buffer of the device can hold, where that takes less than 2 GiB here.
+    const uint64_t nodes =
+        renderer().device().features().max_storage_buffer_bytes / sizeof(shader::BspTreeNode) + 1;
+    if (nodes < 30'000'000) {
+        EXPECT_THROW(load("rooms",
+                          [&](Level& level) {
+                              level.bsp.nodes.resize(nodes, level.bsp.nodes.front());
+                          }),
+                     Error);
+        EXPECT_EQ(picture(), before);
+    }
     EXPECT_NE(renderer().describe_scene().find("lamp"), std::string::npos);
 }
 

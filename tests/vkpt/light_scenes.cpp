@@ -125,7 +125,7 @@ LightScene ten_thousand() {
     LightScene scene =
         hall("TenThousand", scattered(10000, 3, under_the_roof_low, under_the_roof_high, 2), 50);
     scene.size = {8, 8};
-    scene.detectable = 0.15; // most draws are of lights that matter little
+    scene.bounds = {0.15, 0.15, 0.4}; // most draws are of lights that matter little
     return scene;
 }
 
@@ -136,7 +136,7 @@ LightScene half_of_them_black() {
         triangles[i].style = dark_style;
     LightScene scene = hall("HalfOfThemBlack", triangles, 100);
     scene.shot.dark_styles = {dark_style};
-    scene.detectable = 0.1;
+    scene.bounds = {0.1, 0.15, 0.4};
     return scene;
 }
 
@@ -218,7 +218,7 @@ LightScene through_the_floor() {
         triangles.push_back({{x, y - 8, low}, {x, y, low + 18.0f}, {x, y + 8, low}});
     }
     LightScene scene = hall("ThroughTheFloor", triangles, 100);
-    scene.detectable = 0.1;
+    scene.bounds = {0.1, 0.15, 0.4};
     scene.extreme = "lamps that touch the surface and cross its horizon";
     return scene;
 }

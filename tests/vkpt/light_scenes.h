@@ -19,8 +19,8 @@ struct LightScene {
     Shot shot;         // models of entities by name are for the caller to register: see door
     bool door = false; // entity 1 is the level's model *1
     glm::ivec2 size{24, 16};
-    /// Relative bias of the mean picture that any technique's test must be able to find.
-    double detectable = 0.05;
+    /// Biases of the mean picture that any technique's test must be able to find.
+    Bounds bounds{.everywhere = 0.05, .quadrant = 0.14, .five_blocks = 0.4};
     /// No light reaches what is seen.
     bool dark = false;
     /// Draws spread over many lights, so that an error in probabilities can be found among them.

@@ -54,7 +54,8 @@ TEST(LightSet, PlacedLightsMoveWithTheirModel) {
     const std::vector<LightSource> sources{triangle({1, 0, 0})};
     const auto place = [&](glm::vec3 origin, glm::vec3 angles) {
         set.begin_frame(full_styles, 1.0f);
-        const uint32_t id = set.place(5, sources, rigid_transform(origin, angles), {2, 2, 2});
+        const uint32_t id =
+            set.place(5, sources, rigid_transform(origin, angles), {2, 2, 2}).value();
         set.end_frame();
         return id;
     };
@@ -76,7 +77,7 @@ TEST(LightSet, VanishedLightsAreDarkAndTheirSlotsTakenOver) {
     const std::vector<LightSource> two(2, triangle({1, 1, 1})), three(3, triangle({1, 1, 1}));
     const glm::mat4x3 identity(1.0f);
     set.begin_frame(full_styles, 1.0f);
-    const uint32_t first = set.place(1, two, identity, glm::vec3(1.0f));
+    const uint32_t first = set.place(1, two, identity, glm::vec3(1.0f)).value();
     EXPECT_EQ(first, 1u);
     EXPECT_EQ(set.place(2, three, identity, glm::vec3(1.0f)), 3u);
     set.end_frame();
@@ -103,7 +104,7 @@ TEST(LightSet, AnEntityThatChangesItsModelLeavesNoLightBehind) {
     set.place(1, three, identity, glm::vec3(1.0f));
     set.end_frame();
     set.begin_frame(full_styles, 1.0f);
-    const uint32_t first = set.place(1, two, identity, glm::vec3(1.0f));
+    const uint32_t first = set.place(1, two, identity, glm::vec3(1.0f)).value();
     set.end_frame();
     for (uint32_t id = 0; id < set.lights().size(); ++id)
         EXPECT_EQ(set.lights()[id].radiance != glm::vec3(0.0f), id >= first && id < first + 2)
@@ -124,7 +125,7 @@ TEST(LightSet, TwoHundredLightsComeAndGoWithoutLosingSlots) {
             if (random() % 3 == 0) continue;
             const glm::vec3 origin(static_cast<float>(random() % 100));
             const uint32_t first =
-                set.place(key, octahedron, scale_transform(origin, 2.0f), glm::vec3(1.0f));
+                set.place(key, octahedron, scale_transform(origin, 2.0f), glm::vec3(1.0f)).value();
             const auto before = ids.find(key);
             if (before != ids.end()) {
                 ASSERT_EQ(before->second, first);
@@ -151,6 +152,27 @@ TEST(LightSet, TwoHundredLightsComeAndGoWithoutLosingSlots) {
         set.end_frame();
         if (frame == 0) size = set.lights().size();
         ASSERT_EQ(set.lights().size(), size);
+    }
+}
+
+// A level of a megabyte may place a model of many lights ten thousand times.
+TEST(LightSet, HoldsNoMoreMovingLightsThanItsLimit) {
+    const std::vector<LightSource> model(max_moving_lights / 4 + 1, triangle({1, 1, 1}));
+    const std::vector<LightSource> small(1, triangle({1, 1, 1}));
+    LightSet set({triangle({1, 1, 1})});
+    const glm::mat4x3 identity(1.0f);
+    const auto place = [&](uint64_t key, std::span<const LightSource> sources) {
+        return set.place(key, sources, identity, glm::vec3(1.0f));
+    };
+    for (int frame = 0; frame < 2; ++frame) { // the same models find room each time
+        set.begin_frame(full_styles, 1.0f);
+        for (uint64_t key = 0; key < 3; ++key)
+            EXPECT_EQ(place(key, model), 1 + key * model.size());
+        for (uint64_t key = 3; key < 10; ++key)
+            EXPECT_EQ(place(key, model), std::nullopt);
+        EXPECT_TRUE(place(10, small)) << "smaller ones still fit";
+        set.end_frame();
+        EXPECT_EQ(set.lights().size(), 2 + 3 * model.size());
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <limits>
 
 namespace vigil::test {
 
@@ -12,6 +13,16 @@ namespace {
 
 // Sums of many floats differ in their last digits without any noise.
 constexpr double rounding = 2e-6;
+
+/// The score beyond which lies this share of the standard normal distribution.
+double score_of_tail(double tail) {
+    double low = -9.0, high = 30.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (0.5 * std::erfc(middle / std::sqrt(2.0)) > tail ? low : high) = middle;
+    }
+    return low;
+}
 
 /// Standard normal score of the upper tail P(X >= count), X ~ Binomial(n, p).
 double binomial_score(std::size_t count, std::size_t n, double p) {
@@ -21,14 +32,14 @@ double binomial_score(std::size_t count, std::size_t n, double p) {
         below += std::exp(std::lgamma(m + 1) - std::lgamma(x + 1) - std::lgamma(m - x + 1) +
                           x * std::log(p) + (m - x) * std::log1p(-p));
     }
-    const double tail = std::clamp(1.0 - below, 1e-15, 1.0);
-    // Inverse of the normal's upper tail by bisection.
-    double low = -9.0, high = 9.0;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (0.5 * std::erfc(middle / std::sqrt(2.0)) > tail ? low : high) = middle;
-    }
-    return low;
+    return score_of_tail(std::max(1.0 - below, 1e-15));
+}
+
+/// Standard normal score of the largest |score| among `count`, if each were independent of the
+/// others: where they are not, it is on the safe side.
+double score_of_largest(double largest, std::size_t count) {
+    const double each = std::erfc(largest / std::sqrt(2.0));
+    return score_of_tail(-std::expm1(static_cast<double>(count) * std::log1p(-each)));
 }
 
 /// Blocks below this share of the median of those that are not black are judged together.
@@ -76,9 +87,30 @@ std::vector<std::vector<std::size_t>> group_blocks(std::span<const double> brigh
 
 using GroupEstimate = std::function<Estimate(std::span<const std::size_t>)>;
 
-Comparison compare_groups(const std::vector<std::vector<std::size_t>>& groups,
+/// The largest |sum of scores| of a region of `picture`, as a score.
+double region_score(const PictureBatches& picture, std::span<const double> scores) {
+    double largest = 0.0;
+    std::size_t count = 0;
+    for (const auto& regions : {quadrants(picture), windows(picture)})
+        for (const std::vector<std::size_t>& region : regions) {
+            double sum = 0.0, n = 0.0;
+            for (const std::size_t block : region) {
+                if (std::isnan(scores[block])) continue;
+                sum += scores[block];
+                n += 1.0;
+            }
+            if (n == 0.0) continue;
+            ++count;
+            largest = std::max(largest, std::abs(sum) / std::sqrt(n));
+        }
+    return count > 0 ? score_of_largest(largest, count) : 0.0;
+}
+
+Comparison compare_groups(const PictureBatches& picture,
+                          const std::vector<std::vector<std::size_t>>& groups,
                           const GroupEstimate& a, const GroupEstimate& b) {
     Comparison result;
+    result.scores.resize(picture.blocks(), std::numeric_limits<double>::quiet_NaN());
     double sum = 0.0, squares = 0.0, signal = 0.0;
     std::size_t outliers = 0;
     for (const std::vector<std::size_t>& group : groups) {
@@ -95,6 +127,7 @@ Comparison compare_groups(const std::vector<std::vector<std::size_t>>& groups,
             noise * noise /
             (x.variance * x.variance / x.freedom + y.variance * y.variance / y.freedom);
         const double score = score_of_t(difference / std::sqrt(noise), freedom);
+        if (group.size() == 1) result.scores[group.front()] = score;
         ++result.blocks;
         sum += score;
         squares += score * score;
@@ -106,6 +139,7 @@ Comparison compare_groups(const std::vector<std::vector<std::size_t>>& groups,
     result.bias_z = sum / std::sqrt(n);
     result.spread_z = (std::cbrt(squares / n) - (1.0 - width)) / std::sqrt(width);
     result.outlier_z = binomial_score(outliers, result.blocks, std::erfc(3.0 / std::sqrt(2.0)));
+    result.region_z = region_score(picture, result.scores);
     result.bias = sum / signal;
     result.bias_error = std::sqrt(n) / signal;
     return result;
@@ -134,22 +168,71 @@ double PictureBatches::mean(std::size_t channel, std::size_t block) const {
     return estimate(*this, channel, std::span(&block, 1)).mean;
 }
 
+std::vector<double> PictureBatches::means() const {
+    std::vector<double> means;
+    for (std::size_t i = 0; i < 3 * blocks(); ++i)
+        means.push_back(mean(i % 3, i / 3));
+    return means;
+}
+
+void PictureBatches::set_means(std::span<const double> means) {
+    const std::vector<double> before = this->means();
+    for (std::vector<double>& batch : values_)
+        for (std::size_t i = 0; i < batch.size(); ++i)
+            batch[i] += means[i] - before[i];
+}
+
+void PictureBatches::scale(double factor, std::span<const std::size_t> blocks) {
+    for (std::vector<double>& batch : values_)
+        for (const std::size_t block : blocks)
+            for (std::size_t c = 0; c < 3; ++c)
+                batch[3 * block + c] *= factor;
+}
+
 void PictureBatches::scale(double factor) {
     for (std::vector<double>& batch : values_)
         for (double& value : batch)
             value *= factor;
 }
 
-bool Comparison::agrees(double limit) const {
-    return unequal == 0 && std::abs(bias_z) < limit && spread_z < limit && outlier_z < limit;
+std::vector<std::vector<std::size_t>> quadrants(const PictureBatches& picture) {
+    std::vector<std::vector<std::size_t>> parts(4);
+    for (std::size_t block = 0; block < picture.blocks(); ++block) {
+        const std::size_t x = block % picture.blocks_x(), y = block / picture.blocks_x();
+        parts[(2 * x >= picture.blocks_x() ? 1u : 0u) + (2 * y >= picture.blocks_y() ? 2u : 0u)]
+            .push_back(block);
+    }
+    return parts;
+}
+
+std::vector<std::vector<std::size_t>> windows(const PictureBatches& picture) {
+    const std::size_t width = (picture.blocks_x() + 3) / 4, height = (picture.blocks_y() + 3) / 4;
+    const std::size_t step_x = std::max<std::size_t>(width / 2, 1),
+                      step_y = std::max<std::size_t>(height / 2, 1);
+    std::vector<std::vector<std::size_t>> found;
+    for (std::size_t y = 0; y + height <= picture.blocks_y(); y += step_y)
+        for (std::size_t x = 0; x + width <= picture.blocks_x(); x += step_x) {
+            std::vector<std::size_t>& window = found.emplace_back();
+            for (std::size_t i = 0; i < width * height; ++i)
+                window.push_back((y + i / width) * picture.blocks_x() + x + i % width);
+        }
+    return found;
+}
+
+double Comparison::worst() const {
+    if (unequal > 0) return std::numeric_limits<double>::infinity();
+    return std::max({std::abs(bias_z), spread_z, outlier_z, region_z});
+}
+
+double Comparison::found_from() const {
+    return score_limit * bias_error;
 }
 
 std::string Comparison::text() const {
     return fmt::format("{} blocks: bias {:+.2f}% +- {:.2f}% (score {:+.2f}; from {:.2f}% it is "
-                       "found), spread {:+.2f}, "
-                       "outliers {:+.2f}, {} unequal",
-                       blocks, 100.0 * bias, 100.0 * bias_error, bias_z,
-                       100.0 * score_limit * bias_error, spread_z, outlier_z, unequal);
+                       "found), spread {:+.2f}, outliers {:+.2f}, regions {:+.2f}, {} unequal",
+                       blocks, 100.0 * bias, 100.0 * bias_error, bias_z, 100.0 * found_from(),
+                       spread_z, outlier_z, region_z, unequal);
 }
 
 Comparison compare(const PictureBatches& a, const PictureBatches& b, std::size_t channel) {
@@ -157,7 +240,7 @@ Comparison compare(const PictureBatches& a, const PictureBatches& b, std::size_t
     for (std::size_t block = 0; block < a.blocks(); ++block)
         brightness.push_back(0.5 * (a.mean(channel, block) + b.mean(channel, block)));
     return compare_groups(
-        group_blocks(brightness),
+        a, group_blocks(brightness),
         [&](std::span<const std::size_t> group) { return estimate(a, channel, group); },
         [&](std::span<const std::size_t> group) { return estimate(b, channel, group); });
 }
@@ -167,7 +250,7 @@ Comparison compare(const PictureBatches& a, std::span<const double> expected, st
     for (std::size_t block = 0; block < a.blocks(); ++block)
         groups.push_back({block});
     return compare_groups(
-        groups, [&](std::span<const std::size_t> group) { return estimate(a, channel, group); },
+        a, groups, [&](std::span<const std::size_t> group) { return estimate(a, channel, group); },
         [&](std::span<const std::size_t> group) {
             return Estimate{expected[3 * group.front() + channel], 0.0, 1.0};
         });

@@ -59,6 +59,60 @@ TEST(PictureComparison, FindsOneWrongBlock) {
     EXPECT_FALSE(seen.agrees(score_limit)) << seen.text();
 }
 
+/// Blocks with normal noise of 2.5% each, as most tests have: what the four scores find.
+PictureBatches even_pictures(double noise, std::uint32_t seed) {
+    constexpr int batches = 16;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(1.0, noise * std::sqrt(batches));
+    PictureBatches result(12, 8, 1);
+    std::vector<float> rgb(std::size_t{3} * 12 * 8);
+    for (int batch = 0; batch < batches; ++batch) {
+        for (float& value : rgb)
+            value = static_cast<float>(normal(random));
+        result.add(rgb);
+    }
+    return result;
+}
+
+TEST(PictureComparison, RegionsHoldNeighbours) {
+    const PictureBatches picture = even_pictures(0.0, 1);
+    std::vector<int> times(96);
+    for (const std::vector<std::size_t>& quadrant : quadrants(picture)) {
+        EXPECT_EQ(quadrant.size(), 24u);
+        for (const std::size_t block : quadrant)
+            times[block] += 1;
+    }
+    EXPECT_EQ(times, std::vector<int>(96, 1));
+    EXPECT_EQ(windows(picture).size(), 70u);
+    EXPECT_EQ(windows(picture).back(), (std::vector<std::size_t>{81, 82, 83, 93, 94, 95}));
+}
+
+TEST(PictureComparison, FindsAWrongRegionThatNoOtherScoreSees) {
+    const PictureBatches reference = even_pictures(0.01, 1);
+    for (const auto& [blocks, factor] :
+         {std::pair{quadrants(reference)[2], 1.05},
+          std::pair{std::vector<std::size_t>{28, 29, 30, 40, 41}, 1.1}}) {
+        PictureBatches biased = even_pictures(0.024, 2);
+        EXPECT_TRUE(compare(biased, reference, 0).agrees(score_limit));
+        biased.scale(factor, blocks);
+        const Comparison seen = compare(biased, reference, 0);
+        EXPECT_GT(seen.region_z, score_limit) << seen.text();
+        EXPECT_LT(std::max({std::abs(seen.bias_z), seen.spread_z, seen.outlier_z}), score_limit)
+            << seen.text();
+    }
+}
+
+// Standard normal, or less: beyond 3 lie 1.35 of 1,000.
+TEST(PictureComparison, RegionsAreAsQuietAsTold) {
+    int beyond = 0;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed)
+        beyond += compare(even_pictures(0.02, 2 * seed), even_pictures(0.02, 2 * seed + 1), 0)
+                          .region_z > 3.0
+                      ? 1
+                      : 0;
+    EXPECT_LE(beyond, 6);
+}
+
 TEST(PictureComparison, ComparesExactlyWithoutNoise) {
     PictureBatches a(8, 8, 4), b(8, 8, 4);
     std::vector<float> picture(3 * 64, 2.0f);

@@ -4,6 +4,7 @@
 #include "refresh/vkpt/gpu/commands.h"
 #include "render_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 

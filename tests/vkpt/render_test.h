@@ -6,7 +6,7 @@
 
 #include "common/cvar.h"
 #include "common/file_system.h"
-#include "picture_comparison.h"
+#include "judge.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/renderer.h"
 #include "world/level.h"

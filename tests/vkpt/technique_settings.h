@@ -26,6 +26,9 @@ struct TechniqueSettings {
     Blanks blanks;
     /// Whether whole pictures are compared, too; it takes some seconds for each.
     bool pictures = true;
+    /// Relative bias of five neighbouring blocks that may not hide between such a picture and one
+    /// of the first technique: what weighs few lights, or not how near they are, is noisier.
+    double five_blocks = 0.15;
 
     void set() const;
 };

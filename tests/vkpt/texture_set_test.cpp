@@ -6,6 +6,7 @@
 #include "common/file_system.h"
 #include "common/scratch_folder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

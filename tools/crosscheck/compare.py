@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Renders levels with Vigil and with Mitsuba 3 and says whether they agree: one row per level, exit status 1 if one does
-not. Started by crosscheck.py inside Mitsuba's environment."""
+not, 3 if nothing could be compared. Started by crosscheck.py inside Mitsuba's environment."""
 
 import argparse
 import os
@@ -13,11 +13,15 @@ from pathlib import Path
 
 import numpy as np
 
+SOURCE = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "tools"))
+
 import agreement
 import gltf_scene
 import vigil_pictures
+from python_environment import UNAVAILABLE
+from verdict import status_of
 
-SOURCE = Path(__file__).resolve().parents[2]
 SHARED = Path(os.environ.get("VIGIL_SHARED") or SOURCE.parent / "shared") / "levels"
 # Tried in this order; the vectorised one needs LLVM's shared library (libllvm15 or newer in Debian).
 VARIANTS = ("llvm_ad_rgb", "scalar_rgb")
@@ -154,16 +158,15 @@ def main():
     options = arguments()
     variant = options.variant or next((v for v in VARIANTS if works(v)), None)
     if variant is None:
-        print("crosscheck: skipped, Mitsuba 3 does not run here")
-        return 0
+        print("crosscheck: compared nothing: Mitsuba 3 does not run here")
+        return UNAVAILABLE
     import mitsuba as mi
     mi.set_variant(variant)
     mi.set_log_level(mi.LogLevel.Warn)
     print(f"Mitsuba {mi.__version__}, {variant}; {options.batches} batches of {options.spp} paths per pixel on either side")
     print("%-10s %7s %7s %13s %9s  %-47s %s" % ("level", "regions", "mean z", "max|z| (limit)", "chi2 p",
                                                "Vigil / Mitsuba - 1: red, green, blue", "paths"))
-    failed = [name for name in options.levels if check(name, options) is False]
-    return 1 if failed else 0
+    return status_of([check(name, options) for name in options.levels])
 
 
 if __name__ == "__main__":

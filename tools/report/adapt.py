@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draws error over frames from empty caches, after figure 9 of the paper, from the report of `run bench adapt`: one picture
-per level."""
+per level. Lines are typical runs, dots are means, of which the frame where a row settles is found."""
 
 from matplotlib import pyplot
 
@@ -18,8 +18,7 @@ def draw_row(axes, row, measure, color):
         axes.axhline(curve["settled"], color=color, label=row["label"])
         return
     frames = range(1, len(curve["frames"]) + 1)
-    axes.plot(frames, drawing.numbers(curve["frames"]), color=color, marker=".", label=row["label"])
-    drawing.fill(axes, frames, curve["frames"], color)
+    drawing.curve(axes, frames, curve["frames"], color, label=row["label"])
     axes.axhline(curve["settled"] * curve["settled_factor"], color=color, linestyle=":", linewidth=1)
     if curve["settled_frame"] <= len(curve["frames"]):
         axes.axvline(curve["settled_frame"], color=color, linestyle=":", linewidth=1)

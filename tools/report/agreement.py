@@ -1,65 +1,74 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tells whether two reports of `run bench quality` with different seeds agree within their intervals.
+"""Tells whether two reports of `run bench quality` with different seeds could be of the same program.
 
     python3 tools/report/agreement.py out/quality.json out/quality_again.json
 
-For every part, row and measure: the difference of the two logarithms over the root of the sum of the squared half widths of
-their intervals. Where that is at most 1, a 95% interval of the difference holds 0. Lists the others; the exit status is 1 where
-they are more than 5% by more than chance would have it (binomial, 1%)."""
+For every part, row and measure: the rank sum test of the one's runs against the other's, view by view, added up (van Elteren).
+It supposes no distribution. Lists those with p below 0.05, of which one in twenty is chance; the exit status is 1 where one
+stands out among all (Holm, 5%)."""
 
 import math
+import statistics
 import sys
 
-from scipy import stats
+import tables
 
-import drawing
-
-MEASURES = ("mse", "trimmed_mse", "relative_mse")
+MEASURES = ("mse", "trimmed_mse", "relative_mse", "mean_ratio")
 
 
-def logarithms(interval):
-    """Value and half width on a logarithmic scale, or None without an interval of positive numbers."""
-    value, low, high = (interval[key] for key in ("value", "low", "high"))
-    if None in (value, low, high) or value <= 0 or high <= value:
+def rank_sum(first, second):
+    """The ranks of the first among both, added up, with their mean and variance if both are alike; ties share a rank."""
+    both = sorted(first + second)
+    size, total = len(first), len(both)
+    ranks = sum(both.index(value) + 1 + 0.5 * (both.count(value) - 1) for value in first)
+    ties = sum(both.count(value) ** 3 - both.count(value) for value in set(both))
+    variance = size * len(second) / 12 * (total + 1 - ties / (total * (total - 1)))
+    return ranks, 0.5 * size * (total + 1), variance
+
+
+def chance(first, second):
+    """p of two lists of views, each the values of its runs; None where nothing differs."""
+    sums = [rank_sum(a, b) for a, b in zip(first, second)]
+    variance = sum(part for _, _, part in sums)
+    if variance == 0:
         return None
-    # An interval that reaches below zero is as wide as its upper half says.
-    half = math.log(high / value)
-    return math.log(value), max(half, math.log(value / low)) if low > 0 else half
+    distance = abs(sum(ranks - mean for ranks, mean, _ in sums))
+    return 2 * statistics.NormalDist().cdf(-max(0, distance - 0.5) / math.sqrt(variance))
 
 
 def compare(first, second):
-    """Yields a name and the distance in half widths, of all that both reports have."""
+    """Yields a name and p, of all that both reports have."""
     others = {part["part"]: {row["label"]: row for row in part["rows"]} for part in second["parts"]}
     for part in first["parts"]:
         for row in part["rows"]:
             other = others.get(part["part"], {}).get(row["label"])
             for measure in MEASURES if other else ():
-                pair = logarithms(row[measure]), logarithms(other[measure])
-                if None not in pair:
-                    (a, half_a), (b, half_b) = pair
-                    yield f"{part['part']}, {row['label']}, {measure}", abs(a - b) / math.hypot(half_a, half_b)
+                pair = [values[measure].get("by_view_and_seed") for values in (row, other)]
+                p = None if None in pair else chance(*pair)
+                if p is not None:
+                    yield f"{part['part']}, {row['label']}, {measure}", p
 
 
 def main(paths):
     if len(paths) != 2:
         sys.exit(__doc__)
     try:
-        reports = [drawing.load(path, "quality") for path in paths]
+        reports = [tables.load(path, "quality") for path in paths]
     except (OSError, ValueError) as fault:
         sys.exit(str(fault))
     seeds = [set(range(report["first_seed"], report["first_seed"] + report["seeds"])) for report in reports]
     if seeds[0] & seeds[1]:
         sys.exit("the two reports share seeds: they are not independent")
-    distances = list(compare(*reports))
-    if not distances:
-        sys.exit("the two reports have nothing in common")
-    apart = [(name, distance) for name, distance in distances if distance > 1]
-    for name, distance in sorted(apart, key=lambda item: -item[1]):
-        print(f"  {name}: {distance:.2f} half widths apart")
-    chance = stats.binomtest(len(apart), len(distances), 0.05, alternative="greater").pvalue
-    print(f"{len(distances) - len(apart)} of {len(distances)} agree within their 95% intervals (chance of so few or fewer: {chance:.2g})")
-    sys.exit(int(chance < 0.01))  # sys.exit would print a truth value of numpy
+    chances = dict(compare(*reports))
+    if not chances:
+        sys.exit("the two reports have no single runs in common")
+    for name, p in sorted(chances.items(), key=lambda item: item[1]):
+        if p < 0.05:
+            print(f"  {name}: p {p:.2g}")
+    apart = tables.standing_out(chances)
+    print(f"{len(chances)} compared, {sum(p < 0.05 for p in chances.values())} with p below 0.05, {len(apart)} that stand out")
+    sys.exit(int(bool(apart)))
 
 
 if __name__ == "__main__":

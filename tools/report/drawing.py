@@ -3,7 +3,6 @@
 nothing: means, ratios and intervals are those of the reports."""
 
 import argparse
-import json
 from pathlib import Path
 
 import matplotlib
@@ -11,21 +10,18 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot
 
+from tables import load
 
-def load(path, measured):
-    """The report at a path, which must be one of `measured` with a part in it. Raises ValueError."""
-    report = json.loads(Path(path).read_text())
-    if report.get("measured") != measured:
-        raise ValueError(f"{path}: not a report of `run bench {measured}`")
-    if not report.get("parts"):
-        raise ValueError(f"{path}: nothing has been measured yet")
-    return report
+
+def typical(value):
+    """A measure's median over its runs, which has an interval; older reports have the mean alone."""
+    return value.get("median", value)
 
 
 def spread(values):
     """Distances to the ends of intervals, as errorbar wants them; 0 where an interval has no end."""
-    low = [0 if value["low"] is None else max(0, value["value"] - value["low"]) for value in values]
-    high = [0 if value["high"] is None else max(0, value["high"] - value["value"]) for value in values]
+    low = [0 if value.get("low") is None else max(0, value["value"] - value["low"]) for value in values]
+    high = [0 if value.get("high") is None else max(0, value["high"] - value["value"]) for value in values]
     return [low, high]
 
 
@@ -34,13 +30,17 @@ def numbers(values):
     return [float("nan") if value["value"] is None else value["value"] for value in values]
 
 
-def fill(axes, frames, values, color):
-    """The band of the intervals; without an end (one seed) none is drawn, and a logarithmic axis cuts those below zero."""
-    if any(value["low"] is None or value["high"] is None for value in values):
+def curve(axes, frames, values, color, **options):
+    """The typical run and the band of its intervals, and dots for the means. Without an end (few views or seeds) no band is drawn,
+    and a logarithmic axis cuts those below zero."""
+    medians = [typical(value) for value in values]
+    axes.plot(frames, numbers(medians), color=color, **options)
+    axes.plot(frames, numbers(values), color=color, marker=".", linestyle="", markersize=4)
+    if any(value.get("low") is None or value.get("high") is None for value in medians):
         return
-    positive = [value["value"] for value in values if value["value"] > 0]
+    positive = [value["value"] for value in medians if value["value"] > 0]
     smallest = 0.3 * min(positive) if positive else 0
-    axes.fill_between(frames, [max(value["low"], smallest) for value in values], [value["high"] for value in values],
+    axes.fill_between(frames, [max(value["low"], smallest) for value in medians], [value["high"] for value in medians],
                       color=color, alpha=0.2, linewidth=0)
 
 

@@ -16,6 +16,7 @@ import io
 import json
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy
 from matplotlib import pyplot
@@ -38,7 +39,11 @@ SECTIONS = (
     ("timing", "Time of a frame", timing),
     ("scale", "Lights, pixels and triangles", scale),
     ("trade", "What each variable costs and buys", trade),
+    ("confirm", "What looked better, on fresh seeds", SimpleNamespace(draw=lambda report: ())),
 )
+
+TABLES_TEXT = ("Ratios are over the baseline of their part: first that of the means, an estimate; then that of the typical run, with its 95% "
+               "interval where there is one.")
 
 STYLE = """body{font:15px/1.45 sans-serif;margin:2em auto;max-width:75em;padding:0 1em;color:#222}
 table{border-collapse:collapse;margin:1em 0}th,td{padding:.25em .7em;text-align:left;border-bottom:1px solid #ccc}
@@ -99,9 +104,9 @@ def section(title, report, plots):
 
 
 def slim(value):
-    """A report without the single values behind its intervals."""
+    """A report without the times of single passes; the values behind intervals stay."""
     if isinstance(value, dict):
-        drop = ("by_view_and_seed", "by_seed", "pictures", "planned", "pass_ms")
+        drop = ("pictures", "planned", "pass_ms")
         return {key: slim(inner) for key, inner in value.items() if key not in drop}
     if isinstance(value, list):
         return [slim(inner) for inner in value]
@@ -111,8 +116,8 @@ def slim(value):
 def write_summary(found, target):
     """README.md, a picture per plot and a small JSON per experiment."""
     target.mkdir(parents=True, exist_ok=True)
-    lines = ["# What was measured", "", "Written by `./run report --summary`; ratios with 95% intervals, explained in "
-             "[quality.md](../../quality.md)."]
+    lines = ["# What was measured", "", f"Written by `./run report --summary`. {TABLES_TEXT} "
+             "[quality.md](../../quality.md) explains them."]
     for name, title, plots, report in found:
         figures = list(plots.draw(report))
         lines += ["", f"## {title}", "", f"`./run bench {name}`: {measured_on(report)}", ""]
@@ -134,7 +139,7 @@ def write_summary(found, target):
 def write_page(found, target):
     body = "".join(section(title, report, plots) for _, title, plots, report in found)
     text = (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Vigil: measurements</title><style>{STYLE}</style>'
-            f"<h1>Vigil: measurements</h1><p>Ratios are over the baseline of their part, with 95% intervals.</p>{body}</html>\n")
+            f"<h1>Vigil: measurements</h1><p>{TABLES_TEXT}</p>{body}</html>\n")
     target.write_text(text)
     print(f"wrote {target} ({len(text) / 1e6:.1f} MB)")
 

@@ -12,7 +12,6 @@ import flip_evaluator
 import numpy
 import OpenEXR
 from PIL import Image, ImageDraw
-from scipy import stats
 
 import tables
 
@@ -89,29 +88,13 @@ def of_report(report):
     return seen
 
 
-def mean_interval(strata):
-    """Mean of the views' means over [view][seed] and its 95% interval about other seeds, as docs/quality.md has it: Student's t
-    with the degrees of freedom of Welch and Satterthwaite."""
-    views = [numpy.asarray(view, dtype=float) for view in strata]
-    mean = float(numpy.mean([view.mean() for view in views]))
-    if any(len(view) < 2 for view in views):
-        return {"value": mean, "low": None, "high": None}
-    parts = [view.var(ddof=1) / len(view) / len(views) ** 2 for view in views]
-    variance = sum(parts)
-    if variance == 0:
-        return {"value": mean, "low": mean, "high": mean}
-    freedom = variance**2 / sum(part**2 / (len(view) - 1) for part, view in zip(parts, views))
-    half = stats.t.ppf(0.975, freedom) * variance**0.5
-    return {"value": mean, "low": mean - half, "high": mean + half}
-
-
 def flip_table(seen):
-    """Mean FLIP of single frames: parts down, rows across."""
+    """Mean FLIP over the pixels of the typical frame: parts down, rows across."""
     labels = list(next(iter(seen.values()))[0].runs)
     lines = []
     for part, views in seen.items():
         flips = {label: [[run.flip for run in view.runs[label]] for view in views] for label in views[0].runs}
-        lines.append([part, *(tables.plain(mean_interval(flips[label])) if label in flips else "" for label in labels)])
+        lines.append([part, *(tables.cell((None, tables.typical_run(flips[label]))) if label in flips else "" for label in labels)])
     return ["Mean FLIP", *labels], lines
 
 

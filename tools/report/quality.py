@@ -16,7 +16,7 @@ def draw(report):
             continue # no error tells anything: docs/quality.md, Rare paths
         figure, axes = pyplot.subplots(figsize=(6.5, 4.2), layout="constrained")
         for row in rows:
-            time, error = row["frame_ms"]["ratio"], row["trimmed_mse"]["ratio"]
+            time, error = row["frame_ms"]["ratio"], row["trimmed_mse"].get("typical", row["trimmed_mse"]["ratio"])
             guided = row["variables"].get("pt_guide") == "cdq"
             axes.errorbar(time["value"], error["value"], xerr=drawing.spread([time]), yerr=drawing.spread([error]),
                           marker="s" if guided else "o", capsize=2, label=row["label"])

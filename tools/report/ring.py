@@ -10,8 +10,7 @@ import drawing
 
 def draw_curve(axes, row, color, label):
     values = [row["before"]] + row["frames"]
-    axes.plot(range(len(values)), drawing.numbers(values), color=color, label=label)
-    drawing.fill(axes, range(len(values)), values, color)
+    drawing.curve(axes, range(len(values)), values, color, label=label)
 
 
 def draw(report):

@@ -27,7 +27,7 @@ def draw(report):
         places = [value_of(part) for part in parts]
         for number, label in enumerate(row["label"] for row in parts[0]["rows"]):
             rows = [next(row for row in part["rows"] if row["label"] == label) for part in parts]
-            for line, values in enumerate(([row["frame_ms"] for row in rows], [row["trimmed_mse"] for row in rows])):
+            for line, values in enumerate(([drawing.typical(row[measure]) for row in rows] for measure in ("frame_ms", "trimmed_mse"))):
                 grid[line][column].errorbar(places, drawing.numbers(values), yerr=drawing.spread(values), marker="o",
                                             markersize=3, capsize=2, color=f"C{number}", label=label)
         for line in range(2):

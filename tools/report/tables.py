@@ -1,23 +1,92 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Markdown tables of reports of `run bench`: what docs/results quotes. Ratios are over the baseline of their part, with 95%
-intervals; bold is what is below 1 with its whole interval.
+"""Markdown tables of reports of `run bench`: what docs/results quotes. Ratios are over the baseline of their part: first that of
+the means, an estimate; then that of the typical run, with its 95% interval. Bold is a typical run below 1 that stands out
+among all comparisons of its table.
 
     python3 tools/report/tables.py out/quality.json [MORE.json ...]
 """
 
 import json
+import math
 import sys
 from pathlib import Path
 
-# Of techniques: title, then what to take from a row.
+
+# Where rows have ratios of times.
+TIME_RATIOS = (("path_ms", "ratio"), ("prepare_ms", "share_of_path"), ("frame_ms", "ratio"))
+
+
+def load(path, measured):
+    """The report at a path, which must be one of `measured` with a part in it. Raises ValueError."""
+    report = json.loads(Path(path).read_text())
+    if report.get("measured") != measured:
+        raise ValueError(f"{path}: not a report of `run bench {measured}`")
+    if not report.get("parts") and not report.get("finished"):
+        raise ValueError(f"{path}: nothing has been measured yet")
+    if "intervals" not in report:
+        forget_intervals(report)
+    return report
+
+
+def forget_intervals(report):
+    """Takes the intervals out of an older report, which were about means and too narrow (docs/quality.md). Those of ratios of times
+    over at least four views stay: they were of order statistics."""
+
+    def forget(value):
+        if isinstance(value, dict):
+            if "low" in value:
+                value["low"] = value["high"] = None
+            value = list(value.values())
+        for inner in value if isinstance(value, list) else ():
+            forget(inner)
+
+    for part in report["parts"]:
+        has_views = isinstance(part.get("views"), list) and len(part["views"]) >= 4
+        for row in part["rows"]:
+            times = {name: dict(row[name][ratio]) for name, ratio in TIME_RATIOS if ratio in row.get(name, {})} if has_views else {}
+            forget(list(row.values()))
+            for name, ratio in TIME_RATIOS:
+                if name in times:
+                    row[name][ratio] = times[name]
+
+
+def median(values):
+    ordered = sorted(values)
+    return 0.5 * (ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2])
+
+
+def typical_run(strata):
+    """Median over all runs, [view][seed], and its 95% interval by order statistics, from four views and six runs on."""
+    runs = sorted(run for view in strata for run in view)
+    tails = [sum(math.comb(len(runs), i) for i in range(rank + 1)) / 2 ** len(runs) for rank in range(len(runs) // 2)]
+    rank = sum(tail <= 0.025 for tail in tails) - 1
+    if rank < 0 or len(strata) < 4:
+        return {"value": median(runs), "low": None, "high": None}
+    return {"value": median(runs), "low": runs[rank], "high": runs[-1 - rank]}
+
+
+def standing_out(chances):
+    """Keys of the comparisons that are not chance: at most 5% of tables have a false one (Holm). `chances` are their p by key; None
+    is no comparison."""
+    known = sorted((p, key) for key, p in chances.items() if p is not None)
+    found = set()
+    for done, (p, key) in enumerate(known):
+        if p * (len(known) - done) > 0.05:
+            break
+        found.add(key)
+    return found
+
+
+# Of techniques: title, then what to take from a row: an estimate, and an interval. Either may be None.
 MEASURES = (
-    ("MSE at equal samples", lambda row: row["mse"]["ratio"]),
-    ("MSE at equal time", lambda row: row["mse"]["ratio_at_equal_time"]),
-    ("Trimmed MSE at equal samples", lambda row: row["trimmed_mse"]["ratio"]),
-    ("Trimmed MSE at equal time", lambda row: row["trimmed_mse"]["ratio_at_equal_time"]),
-    ("Relative MSE at equal samples", lambda row: row["relative_mse"]["ratio"]),
-    ("Milliseconds of a frame", lambda row: row["frame_ms"]["ratio"]),
+    ("MSE at equal samples", lambda row: (row["mse"]["ratio"], row["mse"].get("typical"))),
+    ("MSE at equal time", lambda row: (row["mse"]["ratio_at_equal_time"], row["mse"].get("typical_at_equal_time"))),
+    ("Trimmed MSE at equal samples", lambda row: (row["trimmed_mse"]["ratio"], row["trimmed_mse"].get("typical"))),
+    ("Trimmed MSE at equal time",
+     lambda row: (row["trimmed_mse"]["ratio_at_equal_time"], row["trimmed_mse"].get("typical_at_equal_time"))),
+    ("Relative MSE at equal samples", lambda row: (row["relative_mse"]["ratio"], row["relative_mse"].get("typical"))),
+    ("Milliseconds of a frame", lambda row: (None, row["frame_ms"]["ratio"])),
 )
 
 
@@ -28,29 +97,38 @@ def number(value):
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.2g}" if abs(value) < 0.1 else f"{value:.3g}"
 
 
-def cell(interval):
-    value, low, high = (interval[key] for key in ("value", "low", "high"))
-    if low == high and low is not None:
-        return number(value)
-    text = f"**{number(value)}**" if high is not None and high < 1 else number(value)
-    return text if low is None or high is None else f"{text} [{number(low)}, {number(high)}]"
+def cell(pair, stands_out=False):
+    """An estimate and an interval, either of which may be missing."""
+    estimate, interval = pair
+    words = [] if estimate is None else [number(estimate["value"])]
+    if interval is not None:
+        value, low, high = (interval.get(key) for key in ("value", "low", "high"))
+        text = f"**{number(value)}**" if stands_out and value < 1 else number(value)
+        if low is not None and high is not None and low != high:
+            text += f" [{number(low)}, {number(high)}]"
+        if text not in words:
+            words.append(text)
+    return "; ".join(words)
 
 
-def plain(interval):
-    """A cell that is no ratio."""
-    return cell(interval).replace("**", "")
+def median_of(measure):
+    """A value's estimate and its typical run, as cell() takes them."""
+    return measure, measure.get("median")
 
 
 def first_labels(parts):
     return [row["label"] for row in parts[0]["rows"]]
 
 
-def by_technique(title, parts, value_of, show=cell):
-    """Parts down, techniques across."""
+def by_technique(title, parts, value_of):
+    """Parts down, techniques across; marks by all comparisons with the baselines."""
     labels = first_labels(parts)
+    chances = {(part["part"], row["label"]): (value_of(row)[1] or {}).get("p")
+               for part in parts for row in part["rows"] if row["label"] != part.get("baseline")}
+    marked = standing_out(chances)
     lines = []
     for part in parts:
-        cells = {row["label"]: show(value_of(row)) for row in part["rows"]}
+        cells = {row["label"]: cell(value_of(row), (part["part"], row["label"]) in marked) for row in part["rows"]}
         lines.append([part["part"], *(cells.get(label, "") for label in labels)])
     return [title, *labels], lines
 
@@ -58,7 +136,7 @@ def by_technique(title, parts, value_of, show=cell):
 def quality(report):
     for title, value_of in MEASURES:
         yield by_technique(title, report["parts"], value_of)
-    yield by_technique("Mean over the reference's", report["parts"], lambda row: row["mean_ratio"], plain)
+    yield by_technique("Mean over the reference's", report["parts"], lambda row: median_of(row["mean_ratio"]))
 
 
 def adapt(report):
@@ -79,14 +157,15 @@ def ring(report):
     for turn in report["parts"]:
         for row in turn["rows"]:
             back = row["readapted_frame"]
-            lines.append([f"{turn['degrees']}°", row["label"], plain(row["before"]), plain(row["frames"][0]),
+            lines.append([f"{turn['degrees']}°", row["label"], cell(median_of(row["before"])), cell(median_of(row["frames"][0])),
                           str(back) if back <= len(row["frames"]) else "never", number(row["settled"])])
     yield ["turn", "", "MSE before", "frame 1", "back from frame", "settled"], lines
 
 
 def timing(report):
-    yield by_technique("Path tracing", report["parts"], lambda row: row["path_ms"]["ratio"])
-    yield by_technique("Preparation over path tracing", report["parts"], lambda row: row["prepare_ms"]["share_of_path"], plain)
+    yield by_technique("Path tracing", report["parts"], lambda row: (None, row["path_ms"]["ratio"]))
+    yield by_technique("Preparation over path tracing", report["parts"], 
+                       lambda row: (None, row["prepare_ms"]["share_of_path"]))
     for part in report["parts"]:
         names = list(dict.fromkeys(entry["name"] for row in part["rows"] for entry in row["passes"]))
         lines = []
@@ -98,28 +177,30 @@ def timing(report):
 
 
 def scale(report):
-    yield by_technique("Milliseconds of a frame", report["parts"], lambda row: row["frame_ms"], plain)
-    yield by_technique("Trimmed MSE over the baseline", report["parts"], lambda row: row["trimmed_mse"]["ratio"])
-    yield by_technique("The same at equal time", report["parts"], lambda row: row["trimmed_mse"]["ratio_at_equal_time"])
+    yield by_technique("Milliseconds of a frame", report["parts"], lambda row: median_of(row["frame_ms"]))
+    for title, value_of in MEASURES[2:4]:
+        yield by_technique(title, report["parts"], value_of)
 
 
 def trade(report):
     """One table per level: every value against the default of its technique."""
-    levels = dict.fromkeys(part["level"] for part in report["parts"])
-    for level in levels:
-        lines = []
-        for part in report["parts"]:
-            if part["level"] != level:
-                continue
-            for row in part["rows"]:
-                if row["label"] != part["baseline"]:
-                    lines.append([row["label"], part["baseline"], cell(row["frame_ms"]["ratio"]),
-                                  cell(row["trimmed_mse"]["ratio"]), cell(row["trimmed_mse"]["ratio_at_equal_time"]),
-                                  cell(row["mse"]["ratio"])])
+    shown = (MEASURES[5][1], MEASURES[2][1], MEASURES[3][1], MEASURES[0][1])
+    for level in dict.fromkeys(part["level"] for part in report["parts"]):
+        rows = [(part, row) for part in report["parts"] if part["level"] == level
+                for row in part["rows"] if row["label"] != part["baseline"]]
+        marked = standing_out({(row["label"], part["baseline"], column): (value_of(row)[1] or {}).get("p")
+                               for part, row in rows for column, value_of in enumerate(shown)})
+        lines = [[row["label"], part["baseline"],
+                  *(cell(value_of(row), (row["label"], part["baseline"], column) in marked)
+                    for column, value_of in enumerate(shown))] for part, row in rows]
         yield [f"{level}", "over", "frame time", "trimmed MSE", "trimmed, equal time", "MSE"], lines
 
 
-KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade)}
+def confirm(report):
+    yield from trade(report)
+
+
+KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade, confirm)}
 
 
 def markdown_table(head, lines):
@@ -137,11 +218,12 @@ def main(paths):
         sys.exit(__doc__)
     for path in paths:
         try:
-            report = json.loads(Path(path).read_text())
+            measured = json.loads(Path(path).read_text()).get("measured")
+            if measured not in KINDS:
+                sys.exit(f"{path}: no report of `run bench` that has tables")
+            report = load(path, measured)
         except (OSError, ValueError) as fault:
             sys.exit(f"{path}: {fault}")
-        if report.get("measured") not in KINDS or not report.get("parts"):
-            sys.exit(f"{path}: no report of `run bench` that has tables")
         print(f"{report['device']}, commit {report['commit']}\n\n{markdown(report)}\n")
 
 

@@ -45,9 +45,9 @@ ExportTexture texture_of(const TextureSet& textures, uint32_t header_index, std:
     return texture;
 }
 
-class Exporter {
+class SceneReader {
 public:
-    explicit Exporter(const Scene& scene) : scene_(scene) {}
+    explicit SceneReader(const Scene& scene) : scene_(scene) {}
 
     ExportScene run() {
         out_.name = scene_.level().name;
@@ -131,7 +131,7 @@ private:
 } // namespace
 
 ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& params) {
-    ExportScene out = Exporter(scene).run();
+    ExportScene out = SceneReader(scene).run();
     const SkyDescription& sky = scene.sky();
     if (scene.features().sky) {
         out.sky.emplace();

@@ -65,13 +65,20 @@ gpu::Handle<VkRenderPass> make_render_pass(const gpu::Device& device, VkFormat f
     return {device.handle(), pass, vkDestroyRenderPass};
 }
 
-/// Room for the font atlas, the only texture.
+// From 1.92 on the lists say which textures they need, and the backend makes and replaces them while it draws. Before that
+// there is one, the font atlas, and we upload it.
+#if IMGUI_VERSION_NUM >= 19200
+constexpr uint32_t most_textures = IMGUI_IMPL_VULKAN_MINIMUM_IMAGE_SAMPLER_POOL_SIZE;
+#else
+constexpr uint32_t most_textures = 1;
+#endif
+
 gpu::Handle<VkDescriptorPool> make_descriptor_pool(const gpu::Device& device) {
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, most_textures};
     VkDescriptorPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
     info.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
-    info.maxSets = 1;
+    info.maxSets = most_textures;
     info.poolSizeCount = 1;
     info.pPoolSizes = &size;
     VkDescriptorPool pool = VK_NULL_HANDLE;
@@ -81,12 +88,60 @@ gpu::Handle<VkDescriptorPool> make_descriptor_pool(const gpu::Device& device) {
 }
 
 void upload_fonts([[maybe_unused]] const gpu::Device& device) {
-#if IMGUI_VERSION_NUM >= 19000
+#if IMGUI_VERSION_NUM >= 19200
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#elif IMGUI_VERSION_NUM >= 19000
     ImGui_ImplVulkan_CreateFontsTexture(); // submits and waits by itself
 #else
     gpu::run_now(device,
                  [](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
     ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
+}
+
+/// Says for which render pass the backend's pipeline is.
+bool init_backend(ImGui_ImplVulkan_InitInfo& info, VkRenderPass render_pass) {
+#if IMGUI_VERSION_NUM >= 19240
+    info.PipelineInfoMain.RenderPass = render_pass;
+    info.PipelineInfoMain.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    return ImGui_ImplVulkan_Init(&info);
+#else
+    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+#if IMGUI_VERSION_NUM >= 19030
+    info.RenderPass = render_pass;
+    return ImGui_ImplVulkan_Init(&info);
+#else
+    return ImGui_ImplVulkan_Init(&info, render_pass);
+#endif
+#endif
+}
+
+/// Whether the font atlas that is current now was uploaded.
+bool has_fonts() {
+#if IMGUI_VERSION_NUM >= 19200
+    return true; // the backend sees to it
+#else
+    return ImGui::GetIO().Fonts->TexID != ImTextureID{};
+#endif
+}
+
+void forget_fonts() {
+#if IMGUI_VERSION_NUM >= 19200
+    // The backend is gone, its successor will make them again: the client need not know.
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#else
+    ImGui::GetIO().Fonts->SetTexID(ImTextureID{});
+#endif
+}
+
+/// Lists built before the atlas was uploaded name no texture; there is only one they can mean.
+void name_fonts([[maybe_unused]] ImDrawData& draw_data) {
+#if IMGUI_VERSION_NUM < 19200
+    for (int list = 0; list < draw_data.CmdListsCount; ++list) {
+        for (ImDrawCmd& command : draw_data.CmdLists[list]->CmdBuffer) {
+            if (!command.TextureId) command.TextureId = ImGui::GetIO().Fonts->TexID;
+        }
+    }
 #endif
 }
 
@@ -116,10 +171,9 @@ void Overlay::start_imgui() {
     info.DescriptorPool = descriptor_pool_.get();
     info.MinImageCount = 2;                            // the least that imgui accepts
     info.ImageCount = std::max(frames_in_flight_, 2u); // how many vertex buffers it rotates
-    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     info.CheckVkResultFn = check_imgui;
     try {
-        ImGui_ImplVulkan_Init(&info, render_pass_.get());
+        init_backend(info, render_pass_.get());
         upload_fonts(*device_);
     } catch (...) {
         stop_imgui();
@@ -132,7 +186,7 @@ void Overlay::stop_imgui() {
     ImGuiContext* const current = ImGui::GetCurrentContext();
     ImGui::SetCurrentContext(context_);
     if (ImGui::GetIO().BackendRendererUserData) ImGui_ImplVulkan_Shutdown();
-    ImGui::GetIO().Fonts->SetTexID(nullptr);
+    forget_fonts();
     ImGui::SetCurrentContext(current);
     context_ = nullptr;
 }
@@ -159,17 +213,12 @@ void Overlay::draw(VkCommandBuffer commands, const gpu::Image& picture, ImDrawDa
     if (display.x <= 0.0f || display.y <= 0.0f) return;
 
     // A client that rebuilt its fonts (another size of screen) has reset the texture's id.
-    if (!ImGui::GetIO().Fonts->TexID) {
+    if (!has_fonts()) {
         device_->wait_idle();
         stop_imgui();
         start_imgui();
     }
-    // Lists built before the atlas was uploaded name no texture; there is only one they can mean.
-    for (int list = 0; list < draw_data->CmdListsCount; ++list) {
-        for (ImDrawCmd& command : draw_data->CmdLists[list]->CmdBuffer) {
-            if (!command.TextureId) command.TextureId = ImGui::GetIO().Fonts->TexID;
-        }
-    }
+    name_fonts(*draw_data);
 
     const VkExtent2D extent{picture.width(), picture.height()};
     draw_data->FramebufferScale = ImVec2(static_cast<float>(extent.width) / display.x,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console and menus over the finished picture: draws Dear ImGui's lists with imgui_impl_vulkan, the
-// backend that comes with the library. The client owns the ImGui context, its fonts and its input;
-// the only texture is the font atlas.
+// backend that comes with the library (1.86 or newer). The client owns the ImGui context, its fonts
+// and its input; the only textures are those of the font atlas.
 #pragma once
 
 #include "refresh/vkpt/gpu/image.h"

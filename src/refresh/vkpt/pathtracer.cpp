@@ -36,9 +36,9 @@ std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
             {12, features.animation}, {13, features.lights}};
 }
 
-PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache,
-                       VkDescriptorSetLayout guiding)
-    : device_(device), cache_(cache), guiding_layout_(guiding),
+PathTracer::PathTracer(const gpu::Device& device, gpu::PipelineCompiler& compiler,
+                       const gpu::DescriptorSet& guiding)
+    : device_(device), compiler_(compiler), guiding_layout_(guiding.layout()),
       unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       frame_(device, sizeof(shader::FrameParams), gpu::MemoryUse::Device, "frame parameters",
              VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
@@ -49,6 +49,7 @@ PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cach
                                                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     for (gpu::DescriptorSet& set : technique_sets_)
         set = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
+    set_types_ = {scene_set_.types(), technique_types, guiding.types()};
     layout_ = gpu::make_pipeline_layout(device, set_layouts());
     direction_map_ =
         gpu::Buffer(device,
@@ -56,8 +57,6 @@ PathTracer::PathTracer(const gpu::Device& device, const gpu::PipelineCache& cach
                                      shader::DIRECTION_MAP_EDGE * shader::DIRECTION_MAP_EDGE),
                     gpu::MemoryUse::Device, "direction map");
     ltc_ = gpu::make_buffer(device, std::as_bytes(ltc_table()), "LTC table");
-    accumulate_ = {device, layout_.get(), &cache, shader_code("accumulate"), {}, "accumulate"};
-    exposure_pipeline_ = {device, layout_.get(), &cache, shader_code("exposure"), {}, "exposure"};
     gpu::run_now(device, [&](VkCommandBuffer commands) {
         vkCmdFillBuffer(commands, counters_.handle(), 0, VK_WHOLE_SIZE, 0);
     });
@@ -118,26 +117,50 @@ void PathTracer::bind(const Scene& scene, const LightTechnique& technique,
 }
 
 gpu::ComputePipeline PathTracer::make_pipeline(const PathTracerVariant& variant,
-                                               const std::string& name) {
+                                               const std::string& name, bool views) {
     std::vector<gpu::Specialization> constants = specialization(variant.features);
     constants.push_back({14, variant.cdq_bits});
+    constants.push_back({15, views ? 1u : 0u});
     const std::string backend = variant.ray_query ? ".query" : "";
-    return {device_, layout_.get(), &cache_, shader_code(name + backend), constants, name.c_str()};
+    return {
+        compiler_,
+        layout_.get(),
+        {shader_code(name + backend), std::move(constants), name, set_types_, variant.ray_query}};
 }
 
-PathTracer::Pipelines& PathTracer::pipelines(const PathTracerVariant& variant) {
-    const auto known = std::find_if(variants_.begin(), variants_.end(),
-                                    [&](const auto& made) { return made->variant == variant; });
-    if (known != variants_.end()) return **known;
+PathTracer::Pipelines& PathTracer::pipelines(const PictureSide& side, int view) {
+    const PathTracerVariant& variant = side.variant;
     const std::string technique = technique_name(variant);
-    auto made = std::make_unique<Pipelines>();
-    made->variant = variant;
-    made->primary = make_pipeline(variant, "primary");
-    made->direct = make_pipeline(variant, "direct." + technique);
-    made->indirect = make_pipeline(variant, "indirect." + technique);
-    made->tonemap = make_pipeline(variant, "tonemap");
-    variants_.push_back(std::move(made));
-    return *variants_.back();
+    auto known = std::find_if(variants_.begin(), variants_.end(),
+                              [&](const auto& made) { return made->variant == variant; });
+    if (known == variants_.end()) {
+        auto made = std::make_unique<Pipelines>();
+        made->variant = variant;
+        made->primary = make_pipeline(variant, "primary");
+        made->indirect = make_pipeline(variant, "indirect." + technique);
+        known = variants_.insert(variants_.end(), std::move(made));
+    }
+    Pipelines& made = **known;
+    if (side.samples_lights && !made.direct)
+        made.direct = make_pipeline(variant, "direct." + technique);
+    // The views are a large shader of their own, which few ever see.
+    gpu::ComputePipeline& tonemap = view == shader::VIEW_NONE ? made.tonemap : made.tonemap_view;
+    if (!tonemap) tonemap = make_pipeline(variant, "tonemap", view != shader::VIEW_NONE);
+    if (view == shader::VIEW_CDQ && !made.direction_map)
+        made.direction_map = make_pipeline(variant, "direction_map." + technique);
+    return made;
+}
+
+void PathTracer::prepare(std::span<const PictureSide> sides, int view) {
+    const auto make = [&](const char* name) {
+        return gpu::ComputePipeline(compiler_, layout_.get(),
+                                    {shader_code(name), {}, name, set_types_});
+    };
+    if (!accumulate_) accumulate_ = make("accumulate");
+    if (!exposure_pipeline_) exposure_pipeline_ = make("exposure");
+    for (const PictureSide& side : sides)
+        if (side.first_column < side.end_column) pipelines(side, view);
+    if (!sides.empty()) pipelines(sides[0], view); // camera rays are the first side's
 }
 
 size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_size) {
@@ -162,12 +185,10 @@ void PathTracer::select_side(VkCommandBuffer commands, std::span<const PictureSi
 }
 
 void PathTracer::record_direction_map(gpu::FrameCommands& commands,
-                                      std::span<const PictureSide> sides, uint32_t paths) {
+                                      std::span<const PictureSide> sides, int view,
+                                      uint32_t paths) {
     const size_t side = crosshair_side(sides, size_);
-    Pipelines& made = pipelines(sides[side].variant);
-    if (!made.direction_map)
-        made.direction_map =
-            make_pipeline(made.variant, "direction_map." + technique_name(made.variant));
+    const Pipelines& made = pipelines(sides[side], view);
     const VkCommandBuffer buffer = commands.commands();
     // None of the frame's paths: the octree and its caches do not learn from a view.
     select_side(buffer, sides, side, paths, paths);
@@ -179,6 +200,8 @@ void PathTracer::record_direction_map(gpu::FrameCommands& commands,
 
 void PathTracer::record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
                         const shader::FrameParams& params, uint32_t paths) {
+    const int view = params.cvars.pt_view;
+    prepare(sides, view);
     const VkCommandBuffer buffer = commands.commands();
     commands.upload(frame_, 0, gpu::bytes_of_value(params));
     gpu::full_barrier(buffer);
@@ -195,23 +218,23 @@ void PathTracer::record(gpu::FrameCommands& commands, std::span<const PictureSid
             if (side.first_column >= side.end_column) continue;
             select_side(buffer, sides, i, path, paths);
             const uint32_t columns = (side.end_column + 7) / 8 - side.first_column / 8;
-            passes(side, pipelines(side.variant), glm::uvec2(columns, tiles.y));
+            passes(side, pipelines(side, view), glm::uvec2(columns, tiles.y));
         }
     };
     for (uint32_t path = 0; path < paths; ++path) {
         select_side(buffer, sides, 0, path, paths);
-        run(Pass::Primary, pipelines(sides[0].variant).primary, tiles);
+        run(Pass::Primary, pipelines(sides[0], view).primary, tiles);
         run_sides(path, [&](const PictureSide& side, const Pipelines& made, glm::uvec2 groups) {
             if (side.samples_lights) run(Pass::Direct, made.direct, groups);
             run(Pass::Indirect, made.indirect, groups);
         });
     }
-    if (params.cvars.pt_view == shader::VIEW_CDQ) record_direction_map(commands, sides, paths);
+    if (view == shader::VIEW_CDQ) record_direction_map(commands, sides, view, paths);
     select_side(buffer, sides, 0, paths, paths);
     run(Pass::Accumulate, accumulate_, tiles);
     run(Pass::Exposure, exposure_pipeline_, {1, 1});
     run_sides(paths, [&](const PictureSide&, const Pipelines& made, glm::uvec2 groups) {
-        run(Pass::Tonemap, made.tonemap, groups);
+        run(Pass::Tonemap, view == shader::VIEW_NONE ? made.tonemap : made.tonemap_view, groups);
     });
 }
 

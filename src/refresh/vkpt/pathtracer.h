@@ -3,7 +3,7 @@
 // technique and scene features, and the buffers whose size follows the resolution.
 #pragma once
 
-#include "refresh/vkpt/gpu/pipeline.h"
+#include "refresh/vkpt/gpu/pipeline_compiler.h"
 #include "refresh/vkpt/light/technique.h"
 #include "refresh/vkpt/passes.h"
 #include "refresh/vkpt/scene/scene.h"
@@ -43,9 +43,9 @@ std::vector<gpu::Specialization> specialization(const SceneFeatures& features);
 
 class PathTracer {
 public:
-    /// `guiding` is the layout of set 2.
-    PathTracer(const gpu::Device& device, const gpu::PipelineCache& cache,
-               VkDescriptorSetLayout guiding);
+    /// `guiding` is a set like set 2.
+    PathTracer(const gpu::Device& device, gpu::PipelineCompiler& compiler,
+               const gpu::DescriptorSet& guiding);
 
     /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
     /// too small.
@@ -57,6 +57,10 @@ public:
 
     /// Sides of a picture, at most.
     static constexpr size_t most_sides = 2;
+
+    /// Has the pipelines made that record() will need for these sides; after bind(). `view` is
+    /// pt_view.
+    void prepare(std::span<const PictureSide> sides, int view);
 
     /// Records the frame's passes from `primary` to `tonemap`, `paths` paths per pixel. Camera
     /// rays, means and exposure are the whole picture's; the features of all sides are the same.
@@ -82,19 +86,22 @@ public:
 private:
     struct Pipelines {
         PathTracerVariant variant;
-        gpu::ComputePipeline primary, direct, indirect, tonemap;
-        gpu::ComputePipeline direction_map; // made when pt_view cdq asks for it
+        gpu::ComputePipeline primary, indirect;
+        // Made when a frame asks for them: samples of lights, no view, any view, pt_view cdq.
+        gpu::ComputePipeline direct, tonemap, tonemap_view, direction_map;
     };
-    gpu::ComputePipeline make_pipeline(const PathTracerVariant& variant, const std::string& name);
-    Pipelines& pipelines(const PathTracerVariant& variant);
+    gpu::ComputePipeline make_pipeline(const PathTracerVariant& variant, const std::string& name,
+                                       bool views = false);
+    Pipelines& pipelines(const PictureSide& side, int view);
     void select_side(VkCommandBuffer commands, std::span<const PictureSide> sides, size_t side,
                      uint32_t path, uint32_t paths);
     void record_direction_map(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
-                              uint32_t paths);
+                              int view, uint32_t paths);
 
     const gpu::Device& device_;
-    const gpu::PipelineCache& cache_;
+    gpu::PipelineCompiler& compiler_;
     VkDescriptorSetLayout guiding_layout_;
+    std::vector<std::vector<VkDescriptorType>> set_types_; // of sets 0, 1 and 2
     glm::uvec2 size_{0, 0};
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
         display_, ltc_, direction_map_;

@@ -5,8 +5,10 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
+#include "common/stopwatch.h"
 #include "refresh/vkpt/export_source.h"
 #include "refresh/vkpt/frame_params.h"
+#include "refresh/vkpt/gpu/first_dispatch.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
 #include "shared/direction_map.h"
 #include "shared/views.h"
@@ -34,10 +36,10 @@ constexpr size_t max_finished_times = 1024;
 
 VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface)
     : files_(files), surface_(surface), device_(device_options(), surface),
-      pipeline_cache_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
-                                                                       gpu::FrameCommands(device_)},
-      left_(device_, pipeline_cache_, frames_in_flight),
-      path_tracer_(device_, pipeline_cache_, left_.guiding().layout()) {
+      compiler_(device_, cache_dir() / "pipelines.bin"),
+      frames_{gpu::FrameCommands(device_), gpu::FrameCommands(device_)}, waiting_frame_(device_),
+      left_(device_, compiler_, frames_in_flight),
+      path_tracer_(device_, compiler_, left_.guiding().look_up()) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -56,10 +58,12 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
     scene_ = std::move(scene);
     lister_ = std::move(lister);
     level_ = std::move(level);
+    traced_ = false;
     accumulated_ = 0;
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
+    frame_unfinished_ = false; // everything is copied anew
     shown_ = {};
     guiding_work_ = {};
     reset_guiding();
@@ -96,12 +100,15 @@ glm::uvec2 VkptRenderer::picture_size() const {
 void VkptRenderer::resize(glm::uvec2 size) {
     if (size == path_tracer_.size()) return;
     device_.wait_idle();
+    // A size that does not fit leaves the old one working.
+    gpu::Image picture(device_, size.x, size.y, VK_FORMAT_R8G8B8A8_UNORM,
+                       VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                       "picture");
     path_tracer_.resize(size);
-    picture_ = gpu::Image(device_, size.x, size.y, VK_FORMAT_R8G8B8A8_UNORM,
-                          VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-                          "picture");
+    picture_ = std::move(picture);
     accumulation_key_.clear();
+    traced_ = false;
     rebind_ = true;
 }
 
@@ -123,7 +130,7 @@ void VkptRenderer::select_sides() {
         right_.reset();
         rebind_ = true;
         if (compared) {
-            right_.emplace(device_, pipeline_cache_, frames_in_flight);
+            right_.emplace(device_, compiler_, frames_in_flight);
             reset_side(*right_);
         }
     }
@@ -142,16 +149,25 @@ void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
     rebind_ = false;
 }
 
-void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
+void VkptRenderer::for_each_side(const std::function<void(Side&)>& what) {
     // A side without pixels rests: it learned nothing from the frame before, and is not looked at.
     const uint32_t split = split_column(), width = path_tracer_.size().x;
-    const uint64_t number = frame_number_ - first_frame_;
-    const auto update = [&](Side& side) {
+    if (split > 0) what(left_);
+    if (split < width) what(*right_);
+}
+
+void VkptRenderer::prepare_pipelines() {
+    for_each_side([&](Side& side) {
+        side.prepare_guiding(path_tracer_.size(), frame_number_ - first_frame_);
+    });
+    path_tracer_.prepare(picture_sides(), cvars()->pt_view);
+}
+
+void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
+    for_each_side([&](Side& side) {
         side.technique()->adapt(commands);
-        side.update_guiding(commands, slot, path_tracer_.size(), number);
-    };
-    if (split > 0) update(left_);
-    if (split < width) update(*right_);
+        side.update_guiding(commands, slot);
+    });
 }
 
 std::vector<PictureSide> VkptRenderer::picture_sides() const {
@@ -274,8 +290,11 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     resize(picture_size());
     const size_t slot = frame_number_ % frames_in_flight;
     gpu::FrameCommands& commands = frames_[slot];
+    ImDrawData* overlay = frame.overlay;
     finish_slot(slot);
-    commands.begin();
+    // Whoever goes on after a frame that failed (a command) would miss what it was to copy.
+    if (frame_unfinished_) fail("the frame before this one failed");
+    frame_unfinished_ = true;
     if (scene_) {
         // Bring scene and technique to this frame.
         select_sides();
@@ -284,6 +303,11 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
         rebind_ |= prepare_ray_query();
         prepare_sides(frame);
+        prepare_pipelines();
+        overlay = await_pipelines(overlay);
+    }
+    commands.begin();
+    if (scene_) {
         shader::FrameParams params = frame_params(frame);
         update_accumulation(params);
         {
@@ -304,12 +328,14 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         const std::vector<PictureSide> sides = picture_sides();
         path_tracer_.record(commands, sides, params, static_cast<uint32_t>(cvars()->pt_spp));
         record_texts(commands, sides);
+        traced_ = true;
         ++accumulated_;
         const bool maps_directions = params.cvars.pt_view == shader::VIEW_CDQ;
         view_accumulated_ = maps_directions ? view_accumulated_ + 1 : 0;
         remember_shown(frame, sides);
     }
-    present(commands, frame);
+    present(commands, overlay, cvars()->vid_vsync != 0 && !frame.uncapped);
+    frame_unfinished_ = false;
     slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right};
     return frame_number_++;
 }
@@ -328,12 +354,52 @@ void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const P
                             std::ranges::count_if(frame.spots, shines));
 }
 
-void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& frame) {
+ImDrawData* VkptRenderer::await_pipelines(ImDrawData* overlay) {
+    constexpr std::chrono::milliseconds interval(100);
+    if (watcher_ == nullptr) return overlay; // binding them waits
+    const Stopwatch watch;
+    const auto report = [&] {
+        refresh::Compilation state = compiler_.state();
+        state.seconds = watch.seconds();
+        return watcher_->compiling(state);
+    };
+    bool told = false;
+    while (!compiler_.wait_for(interval)) {
+        if (!told) device_.wait_idle(); // the overlay counts the frames in flight
+        told = true;
+        show_wait(report());
+    }
+    // A driver that compiles at the first dispatch: one shader after the other, so that the window is
+    // drawn between them and answers meanwhile.
+    while (const auto job = compiler_.begin_first_dispatch()) {
+        if (told) show_wait(report());
+        device_.wait_idle();
+        {
+            gpu::FirstDispatch dispatch(device_, waiting_frame_, *job);
+            while (!dispatch.wait_for(interval)) {
+                told = true;
+                report();
+            }
+        }
+        compiler_.finish_first_dispatch(job);
+    }
+    if (!told) return overlay;
+    waiting_frame_.finish();
+    return report();
+}
+
+void VkptRenderer::show_wait(ImDrawData* overlay) {
+    if (!surface_) return;
+    waiting_frame_.begin();
+    present(waiting_frame_, overlay, false);
+}
+
+void VkptRenderer::present(gpu::FrameCommands& commands, ImDrawData* overlay, bool vsync) {
     const VkCommandBuffer buffer = commands.commands();
     // From the buffer of pixels to the image that the overlay is drawn on.
     gpu::transition(buffer, picture_.handle(), VK_IMAGE_LAYOUT_UNDEFINED,
                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    if (scene_) {
+    if (traced_) {
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         region.imageExtent = {picture_.width(), picture_.height(), 1};
@@ -347,13 +413,13 @@ void VkptRenderer::present(gpu::FrameCommands& commands, const refresh::Frame& f
     }
     gpu::transition(buffer, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-    if (frame.overlay) {
+    if (overlay) {
         if (!overlay_) overlay_.emplace(device_, picture_.format(), frames_in_flight);
         const PassScope scope(device_, commands, Pass::Overlay);
-        overlay_->draw(buffer, picture_, frame.overlay);
+        overlay_->draw(buffer, picture_, overlay);
     }
     std::optional<gpu::SwapchainTarget> target;
-    if (swapchain_) target = swapchain_->acquire(cvars()->vid_vsync != 0 && !frame.uncapped);
+    if (swapchain_) target = swapchain_->acquire(vsync);
     if (target) {
         const PassScope scope(device_, commands, Pass::Present);
         swapchain_->blit(buffer, *target, picture_);

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <optional>
 
 namespace vigil::vkpt {
@@ -23,6 +24,8 @@ public:
     VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface);
     ~VkptRenderer() override;
 
+    void watch_compilation(refresh::CompilationWatcher* watcher) override { watcher_ = watcher; }
+    bool compiling() const override { return !compiler_.idle(); }
     void load_level(std::shared_ptr<const Level> level) override;
     refresh::ModelHandle register_model(std::string_view name) override;
     uint64_t render(const refresh::Frame& frame) override;
@@ -69,6 +72,8 @@ private:
     void select_sides();
     void reset_side(Side& side);
     void prepare_sides(const refresh::Frame& frame);
+    void for_each_side(const std::function<void(Side&)>& what);
+    void prepare_pipelines();
     void update_sides(gpu::FrameCommands& commands, size_t slot);
     std::vector<PictureSide> picture_sides() const;
     void record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides);
@@ -85,14 +90,17 @@ private:
     std::optional<shader::PrimaryHit> hit_under_crosshair() const;
     std::string guiding_off_text() const; // empty if it was on in the last frame
     std::string guiding_line() const;     // of `scene`
-    void present(gpu::FrameCommands& commands, const refresh::Frame& frame);
+    ImDrawData* await_pipelines(ImDrawData* overlay);
+    void show_wait(ImDrawData* overlay);
+    void present(gpu::FrameCommands& commands, ImDrawData* overlay, bool vsync);
 
     FileSystem& files_;
     refresh::SurfaceProvider* surface_;
     gpu::Device device_;
-    gpu::PipelineCache pipeline_cache_;
+    gpu::PipelineCompiler compiler_;
     std::array<gpu::FrameCommands, frames_in_flight> frames_;
-    Side left_; // the only one while there is no right one
+    gpu::FrameCommands waiting_frame_; // what is shown while pipelines are made
+    Side left_;                        // the only one while there is no right one
     std::optional<Side> right_;
     PathTracer path_tracer_;
     std::optional<gpu::Swapchain> swapchain_;
@@ -104,10 +112,13 @@ private:
     std::shared_ptr<const Level> level_;
     std::unique_ptr<LightLister> lister_;
     std::unique_ptr<Scene> scene_;
+    refresh::CompilationWatcher* watcher_ = nullptr;
+    bool traced_ = false; // there is a picture of this level and size
     bool rebind_ = true;
     int trace_setting_ = -1;        // pt_trace as it was followed last
     int guide_setting_ = -1;        // pt_guide, the same
     bool ray_query_failed_ = false; // with this level and setting
+    bool frame_unfinished_ = false; // recorded, and not submitted
 
     uint64_t frame_number_ = 0;
     uint64_t first_frame_ = 0;                // of the level: random numbers count from it

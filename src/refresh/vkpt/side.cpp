@@ -18,15 +18,17 @@ void Side::forget(const glm::vec3& corner, float size) {
     guiding_.restart(corner, size);
 }
 
-void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, glm::uvec2 picture_size,
-                          uint64_t frame) {
+void Side::prepare_guiding(glm::uvec2 picture_size, uint64_t frame) {
     if (!guided()) return;
     Guiding::Options options = Guiding::options(picture_size, frame);
     options.cdq_bits = cdq_bits_;
     options.settings.even_density = shader::cdq_even_density(cdq_bits_, cvars()->pt_cdq_brdf);
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
-    guiding_.record(commands, slot);
+}
+
+void Side::update_guiding(gpu::FrameCommands& commands, size_t slot) {
+    if (guided()) guiding_.record(commands, slot);
 }
 
 } // namespace vigil::vkpt

@@ -16,8 +16,8 @@ namespace vigil::vkpt {
 class Side {
 public:
     /// `slots` is the number of frames in flight.
-    Side(const gpu::Device& device, const gpu::PipelineCache& cache, size_t slots)
-        : device_(device), guiding_(device, &cache, slots) {}
+    Side(const gpu::Device& device, gpu::PipelineCompiler& compiler, size_t slots)
+        : device_(device), guiding_(device, compiler, slots) {}
 
     /// Makes the technique if another one is asked for; the GPU is idle then. True if it did.
     bool select(Technique technique, const TechniqueContext& context);
@@ -28,10 +28,11 @@ public:
     /// Forgets what frames taught: the octree is that of a cube (Guiding::restart).
     void forget(const glm::vec3& corner, float size);
 
-    /// Records the passes that bring the octree to a frame of `picture_size`, the level's frame
-    /// number `frame`, if it is of use; after the technique's own adapt().
-    void update_guiding(gpu::FrameCommands& commands, size_t slot, glm::uvec2 picture_size,
-                        uint64_t frame);
+    /// Makes what the octree needs for a frame of `picture_size`, the level's frame number `frame`,
+    /// if it is of use.
+    void prepare_guiding(glm::uvec2 picture_size, uint64_t frame);
+    /// Records the passes that bring the octree to that frame; after the technique's own adapt().
+    void update_guiding(gpu::FrameCommands& commands, size_t slot);
 
     LightTechnique* technique() const { return technique_.get(); } ///< null before a level
     Technique id() const { return id_; }

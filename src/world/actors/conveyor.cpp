@@ -10,9 +10,9 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { start_on = 1, toggle = 2 };
-
 class Conveyor : public Mover {
+    enum Flag : uint32_t { start_on = 1, toggle = 2 };
+
 public:
     Conveyor(Game& game, const Entity& keys, int number) : Mover(game, keys, number) {
         run(has_flag(start_on));

@@ -14,7 +14,8 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t {
+namespace door_flag {
+enum : uint32_t {
     start_open = 1,
     reverse = 2, // of rotating ones
     crusher = 4,
@@ -22,6 +23,8 @@ enum Flag : uint32_t {
     x_axis = 64, // of rotating ones
     y_axis = 128,
 };
+} // namespace door_flag
+
 constexpr float trigger_reach = 60.0f;
 constexpr float touch_pause_s = 1.0f;
 
@@ -35,7 +38,7 @@ Door::Door(Game& game, const Entity& keys, int number, const Placement& open)
     : Mover(game, keys, number), closed_(place()),
       open_(open), speed_{number_key("speed", 100.0f, 1.0f, 1e5f)},
       wait_s_(number_key("wait", 3.0f, -1.0f, 1e6f)), health_(keys.get_float("health")) {
-    if (has_flag(start_open)) {
+    if (has_flag(door_flag::start_open)) {
         std::swap(closed_, open_);
         put(closed_);
     }
@@ -59,7 +62,7 @@ void Door::gather_team() {
 
 void Door::begin() {
     gather_team();
-    if (has_flag(start_open)) game().set_portals_of(keys(), true);
+    if (has_flag(door_flag::start_open)) game().set_portals_of(keys(), true);
     if (!leads()) return;
 
     // All of a team arrive together: the one with the shortest way has its own speed.
@@ -97,7 +100,7 @@ void Door::use() {
         leader_->use();
         return;
     }
-    const bool closes = has_flag(toggle) && (state_ == State::Open || state_ == State::Opening);
+    const bool closes = has_flag(door_flag::toggle) && (state_ == State::Open || state_ == State::Opening);
     for (Door* door : team_) {
         if (closes)
             door->close();
@@ -140,7 +143,7 @@ void Door::think() {
 void Door::arrived() {
     if (state_ == State::Opening) {
         state_ = State::Open;
-        if (!has_flag(toggle) && wait_s_ >= 0.0f) think_in(wait_s_);
+        if (!has_flag(door_flag::toggle) && wait_s_ >= 0.0f) think_in(wait_s_);
     } else {
         state_ = State::Closed;
         game().set_portals_of(keys(), false);
@@ -148,7 +151,7 @@ void Door::arrived() {
 }
 
 void Door::blocked() {
-    if (has_flag(crusher) || wait_s_ < 0.0f) return;
+    if (has_flag(door_flag::crusher) || wait_s_ < 0.0f) return;
     const bool opens = state_ == State::Closing;
     for (Door* door : leader_->team_) {
         if (opens)
@@ -173,8 +176,8 @@ std::unique_ptr<Actor> spawn_rotating_door(Game& game, const Entity& keys, int n
     const auto flags = static_cast<uint32_t>(keys.get_int("spawnflags"));
     const float wanted = keys.get_float("distance");
     const float distance = wanted == 0.0f ? 90.0f : glm::clamp(wanted, -3600.0f, 3600.0f);
-    const size_t axis = (flags & x_axis) != 0 ? 2 : (flags & y_axis) != 0 ? 0 : 1;
-    open.angles[axis] = (flags & reverse) != 0 ? -distance : distance;
+    const size_t axis = (flags & door_flag::x_axis) != 0 ? 2 : (flags & door_flag::y_axis) != 0 ? 0 : 1;
+    open.angles[axis] = (flags & door_flag::reverse) != 0 ? -distance : distance;
     return std::make_unique<Door>(game, keys, number, open);
 }
 

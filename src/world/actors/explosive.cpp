@@ -10,9 +10,10 @@ namespace vigil {
 
 namespace {
 
-constexpr uint32_t trigger_spawn = 1;
 
 class Explosive : public Mover {
+    static constexpr uint32_t trigger_spawn = 1; // of the flags
+
 public:
     Explosive(Game& game, const Entity& keys, int number)
         : Mover(game, keys, number), health_(number_key("health", 100.0f, 1.0f, 1e9f)),

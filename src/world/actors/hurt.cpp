@@ -9,9 +9,9 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { start_off = 1, toggle = 2, slow = 16 };
-
 class Hurt : public Volume {
+    enum Flag : uint32_t { start_off = 1, toggle = 2, slow = 16 };
+
 public:
     Hurt(Game& game, const Entity& keys, int number)
         : Volume(game, keys, number), damage_(number_key("dmg", 5.0f, -1e6f, 1e6f)),

@@ -12,13 +12,14 @@ namespace vigil {
 
 namespace {
 
-constexpr uint32_t trigger_spawn = 1;
 constexpr float release_s = 0.2f;
 /// From the drawn bounds, which are a unit wider, to those that it rests by: a hair narrower than
 /// it is, so that it falls through the hole that it fills.
 constexpr float inset = 1.25f;
 
 class Object : public Mover {
+    static constexpr uint32_t trigger_spawn = 1; // of the flags
+
 public:
     Object(Game& game, const Entity& keys, int number)
         : Mover(game, keys, number), damage_(number_key("dmg", 100.0f, 0.0f, 1e6f)) {

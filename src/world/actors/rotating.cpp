@@ -9,9 +9,9 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { start_on = 1, reverse = 2, x_axis = 4, y_axis = 8, stop_if_blocked = 32 };
-
 class Rotating : public Mover {
+    enum Flag : uint32_t { start_on = 1, reverse = 2, x_axis = 4, y_axis = 8, stop_if_blocked = 32 };
+
 public:
     Rotating(Game& game, const Entity& keys, int number) : Mover(game, keys, number) {
         const float speed = number_key("speed", 100.0f, -1e5f, 1e5f);

@@ -14,10 +14,11 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { always_shoot = 1, first_left = 2, first_down = 4 };
 constexpr float pause_s = 1.0f;
 
 class SecretDoor : public Mover {
+    enum Flag : uint32_t { always_shoot = 1, first_left = 2, first_down = 4 };
+
 public:
     SecretDoor(Game& game, const Entity& keys, int number)
         : Mover(game, keys, number), closed_(place()), aside_(place()), open_(place()),

@@ -13,12 +13,13 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { start_on = 1, toggle = 2 };
 constexpr uint32_t teleport = 1; // of a corner
 /// Corners that jump to each other in a circle would never end.
 constexpr int most_jumps = 64;
 
 class Train : public Mover {
+    enum Flag : uint32_t { start_on = 1, toggle = 2 };
+
 public:
     Train(Game& game, const Entity& keys, int number)
         : Mover(game, keys, number), speed_{number_key("speed", 100.0f, 1.0f, 1e5f)} {

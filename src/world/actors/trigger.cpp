@@ -11,9 +11,9 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { not_player = 2, triggered = 4 };
-
 class Trigger : public Volume {
+    enum Flag : uint32_t { not_player = 2, triggered = 4 };
+
 public:
     Trigger(Game& game, const Entity& keys, int number, float wait_s)
         : Volume(game, keys, number), wait_s_(wait_s), enabled_(!has_flag(triggered)),

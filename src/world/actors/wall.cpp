@@ -7,9 +7,9 @@ namespace vigil {
 
 namespace {
 
-enum Flag : uint32_t { trigger_spawn = 1, toggle = 2, start_on = 4, any = 7 };
-
 class Wall : public Mover {
+    enum Flag : uint32_t { trigger_spawn = 1, toggle = 2, start_on = 4, any = 7 };
+
 public:
     Wall(Game& game, const Entity& keys, int number) : Mover(game, keys, number) {
         if (has_flag(any) && !has_flag(start_on)) show(false);

@@ -113,7 +113,12 @@ public:
 
 private:
     const ImFontGlyph& glyph(char letter) const {
-        return *font_->FindGlyph(static_cast<ImWchar>(static_cast<unsigned char>(letter)));
+        const auto character = static_cast<ImWchar>(static_cast<unsigned char>(letter));
+#if IMGUI_VERSION_NUM >= 19200
+        return *font_->GetFontBaked(font_->LegacySize)->FindGlyph(character);
+#else
+        return *font_->FindGlyph(character);
+#endif
     }
 
     void blend(LegendPixels& pixels, const ImFontGlyph& shape, glm::ivec2 place) const {

@@ -58,19 +58,22 @@ void full_barrier(VkCommandBuffer commands) {
                          nullptr);
 }
 
+void host_read_barrier(VkCommandBuffer commands) {
+    VkMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                         &barrier, 0, nullptr, 0, nullptr);
+}
+
 void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& record) {
     const Handle<VkCommandPool> pool = make_pool(device);
     const VkCommandBuffer commands = allocate_commands(device, pool.get());
     begin_once(commands);
     full_barrier(commands);
     record(commands);
-    // The host reads what was written once the fence is signalled.
-    VkMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-    barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT,
-                         0, 1, &barrier, 0, nullptr, 0, nullptr);
+    host_read_barrier(commands);
     check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
     const Handle<VkFence> fence = make_fence(device);
     VkSubmitInfo submit{};

@@ -8,6 +8,7 @@
 #include "refresh/vkpt/gpu/buffer.h"
 #include "refresh/vkpt/gpu/gpu_timer.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
@@ -17,7 +18,10 @@ namespace vigil::gpu {
 /// Makes all earlier writes of this queue visible to all later commands.
 void full_barrier(VkCommandBuffer commands);
 
-/// Records `record`, submits, waits until the GPU is done.
+/// Lets the host read what was copied, once a fence tells that the commands are done.
+void host_read_barrier(VkCommandBuffer commands);
+
+/// Records `record`, submits, waits until the GPU is done; the host may read what was copied.
 void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& record);
 
 /// Copies `bytes` into `target` at `offset` through staging memory, and waits.

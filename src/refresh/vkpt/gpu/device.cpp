@@ -239,9 +239,12 @@ void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvi
 
 void Device::pick_physical_device(const DeviceOptions& options) {
     uint32_t count = 0;
-    vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+    const VkResult found = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+    if (found != VK_ERROR_INITIALIZATION_FAILED) check(found, "vkEnumeratePhysicalDevices");
     std::vector<VkPhysicalDevice> devices(count);
-    if (count > 0) vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+    if (count > 0)
+        check(vkEnumeratePhysicalDevices(instance_, &count, devices.data()),
+              "vkEnumeratePhysicalDevices");
     if (count == 0)
         fail("no Vulkan driver found: install mesa-vulkan-drivers (or your GPU vendor's driver)");
 
@@ -347,6 +350,10 @@ void Device::create_device(const DeviceOptions& options) {
     properties.pNext = &subgroup;
     vkGetPhysicalDeviceProperties2(physical_, &properties);
     driver_info_ = driver.driverInfo;
+    // "Mesa 25.0.7 (LLVM 15.0.6)"; driverVersion does not tell.
+    if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && driver_info_.starts_with("Mesa "))
+        std::from_chars(driver_info_.data() + 5, driver_info_.data() + driver_info_.size(),
+                        features_.llvmpipe_mesa);
     features_.is_cpu = properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     features_.subgroup_size = subgroup.subgroupSize;
     constexpr VkSubgroupFeatureFlags sums =

@@ -34,6 +34,7 @@ struct DeviceOptions {
 struct DeviceFeatures {
     bool ray_query = false;
     bool is_cpu = false;
+    int llvmpipe_mesa = 0; // Mesa's version where this is its software driver, else 0
     uint32_t subgroup_size = 0;
     bool subgroup_sums = false; // arithmetic and ballot in compute shaders
     uint32_t shared_memory_bytes = 0;

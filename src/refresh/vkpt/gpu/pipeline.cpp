@@ -128,6 +128,17 @@ void DescriptorSet::bind(uint32_t binding, const Buffer& buffer) {
     vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
 }
 
+void DescriptorSet::bind(uint32_t binding, VkBufferView texels) {
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set_;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = types_[binding];
+    write.pTexelBufferView = &texels;
+    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+}
+
 void DescriptorSet::bind(uint32_t binding, VkAccelerationStructureKHR structure) {
     VkWriteDescriptorSetAccelerationStructureKHR info{};
     info.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR;
@@ -158,9 +169,11 @@ Handle<VkPipelineLayout> make_pipeline_layout(const Device& device,
     return {device.handle(), layout, vkDestroyPipelineLayout};
 }
 
-ComputePipeline::ComputePipeline(const Device& device, VkPipelineLayout layout,
-                                 const PipelineCache* cache, std::span<const uint32_t> spirv,
-                                 std::span<const Specialization> constants, const char* name) {
+Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout layout,
+                                         const PipelineCache* cache,
+                                         std::span<const uint32_t> spirv,
+                                         std::span<const Specialization> constants,
+                                         const char* name) {
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     module_info.codeSize = spirv.size_bytes();
@@ -195,8 +208,13 @@ ComputePipeline::ComputePipeline(const Device& device, VkPipelineLayout layout,
     check(vkCreateComputePipelines(device.handle(), cache ? cache->handle() : VK_NULL_HANDLE, 1,
                                    &info, nullptr, &pipeline),
           fmt::format("pass {}: vkCreateComputePipelines", name));
-    pipeline_ = {device.handle(), pipeline, vkDestroyPipeline};
     device.set_name(VK_OBJECT_TYPE_PIPELINE, pipeline, name);
+    return {device.handle(), pipeline, vkDestroyPipeline};
 }
+
+ComputePipeline::ComputePipeline(const Device& device, VkPipelineLayout layout,
+                                 const PipelineCache* cache, std::span<const uint32_t> spirv,
+                                 std::span<const Specialization> constants, const char* name)
+    : pipeline_(make_compute_pipeline(device, layout, cache, spirv, constants, name)) {}
 
 } // namespace vigil::gpu

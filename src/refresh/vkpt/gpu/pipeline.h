@@ -8,6 +8,7 @@
 #include "refresh/vkpt/gpu/buffer.h"
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,9 +43,11 @@ public:
 
     VkDescriptorSetLayout layout() const { return layout_.get(); }
     VkDescriptorSet handle() const { return set_; }
+    const std::vector<VkDescriptorType>& types() const { return types_; }
 
     /// Points a binding at a buffer; the GPU must not be using the set.
     void bind(uint32_t binding, const Buffer& buffer);
+    void bind(uint32_t binding, VkBufferView texels);
     void bind(uint32_t binding, VkAccelerationStructureKHR structure);
 
 private:
@@ -65,21 +68,48 @@ struct Specialization {
     uint32_t value;
 };
 
+/// `name` is that of the pass, for labels and messages.
+Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout layout,
+                                         const PipelineCache* cache,
+                                         std::span<const uint32_t> spirv,
+                                         std::span<const Specialization> constants,
+                                         const char* name);
+
+/// What a pipeline is made of on any device.
+struct PipelineSource {
+    std::span<const uint32_t> spirv; ///< the embedded shader: it outlives all pipelines
+    std::vector<Specialization> constants;
+    std::string name;                                ///< of the pass, for labels and messages
+    std::vector<std::vector<VkDescriptorType>> sets; ///< what the bindings of each set are
+    bool ray_queries = false;                        ///< it traces acceleration structures
+};
+
+class PipelineCompiler;
+struct PipelineJob;
+
 class ComputePipeline {
 public:
     ComputePipeline() = default;
-    /// `spirv` is the embedded shader, `name` the pass, for labels and messages.
+    /// Makes it now. `spirv` is the embedded shader, `name` the pass, for labels and messages.
     ComputePipeline(const Device& device, VkPipelineLayout layout, const PipelineCache* cache,
                     std::span<const uint32_t> spirv, std::span<const Specialization> constants,
                     const char* name);
+    /// Has it made by the compiler's threads. `layout` is that of the source's sets and outlives
+    /// the pipeline.
+    ComputePipeline(PipelineCompiler& compiler, VkPipelineLayout layout, PipelineSource source);
+    ~ComputePipeline();
+    ComputePipeline(ComputePipeline&&) noexcept;
+    ComputePipeline& operator=(ComputePipeline&&) noexcept;
 
-    explicit operator bool() const { return static_cast<bool>(pipeline_); }
-    void bind(VkCommandBuffer commands) const {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
-    }
+    explicit operator bool() const { return pipeline_ || job_; }
+    /// Waits while it is made. Throws Error when that failed.
+    void bind(VkCommandBuffer commands) const;
 
 private:
+    void drop_job();
+
     Handle<VkPipeline> pipeline_;
+    std::shared_ptr<PipelineJob> job_; // null where it was made at once
 };
 
 } // namespace vigil::gpu

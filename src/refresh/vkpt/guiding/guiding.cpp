@@ -50,8 +50,8 @@ uint32_t scaled(int threshold, double factor, uint32_t least) {
 
 } // namespace
 
-Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, size_t slots)
-    : device_(device), cache_(cache), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, size_t slots)
+    : device_(device), compiler_(compiler), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       header_buffer_(device, sizeof(shader::GuidingHeader), gpu::MemoryUse::Device,
                      "guiding header"),
       work_(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Device, "guiding work",
@@ -70,19 +70,30 @@ Guiding::Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, siz
         std::memset(statistics_.back().mapped(), 0, sizeof(shader::GuidingWork));
     }
     pass_layout_ = gpu::make_pipeline_layout(device, std::array{trees_[0].passes.layout()});
-    // Constant 0 is the size of a work group where the shader leaves it to us.
-    const std::array constants{
-        gpu::Specialization{0, std::max(device.features().subgroup_size, shader::VLC_LEAST_LANES)}};
-    const auto make = [&](const char* name) {
-        return gpu::ComputePipeline(device, pass_layout_.get(), cache, shader_code(name), constants,
-                                    name);
+}
+
+void Guiding::make_pipelines() {
+    const auto make = [&](gpu::ComputePipeline& pipeline, const char* name,
+                          std::vector<gpu::Specialization> constants) {
+        if (pipeline) return;
+        pipeline = {compiler_,
+                    pass_layout_.get(),
+                    {shader_code(name), std::move(constants), name, {trees_[0].passes.types()}}};
     };
-    mark_ = make("octree_mark");
-    rebuild_ = make("octree_rebuild");
-    renumber_ = make("octree_renumber");
-    populate_ = make("octree_populate");
-    deduplicate_ = make("vlc_deduplicate");
-    merge_ = make("vlc_merge");
+    // Constant 0 is the size of a work group where the shader leaves it to us.
+    const uint32_t subgroup = device_.features().subgroup_size;
+    const std::vector<gpu::Specialization> lanes{{0, std::max(subgroup, shader::VLC_LEAST_LANES)}};
+    make(mark_, "octree_mark", lanes);
+    make(rebuild_, "octree_rebuild", lanes);
+    make(renumber_, "octree_renumber", lanes);
+    make(populate_, "octree_populate", lanes);
+    if (options_.lights) {
+        make(deduplicate_, "vlc_deduplicate", lanes);
+        make(merge_, "vlc_merge", lanes);
+    }
+    if (options_.cdq_bits > 0)
+        make(cdq_adapt_[options_.cdq_bits / 32 - 1], "cdq_adapt",
+             {{0, subgroup}, {1, options_.cdq_bits}});
 }
 
 Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame) {
@@ -131,12 +142,7 @@ bool Guiding::prepare(const Options& options) {
                 options_.settings.sum_words < sum_words;
     options_ = options;
     options_.settings.sum_words = sum_words;
-    if (options_.cdq_bits > 0 && !cdq_adapt_[options_.cdq_bits / 32 - 1]) {
-        const std::array constants{gpu::Specialization{0, device_.features().subgroup_size},
-                                   gpu::Specialization{1, options_.cdq_bits}};
-        cdq_adapt_[options_.cdq_bits / 32 - 1] = {
-            device_, pass_layout_.get(), cache_, shader_code("cdq_adapt"), constants, "cdq_adapt"};
-    }
+    make_pipelines();
     if (fits) return false;
     device_.wait_idle();
     make_buffers();
@@ -272,6 +278,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
     run_listed(Pass::OctreeAugment, populate_, offsetof(shader::GuidingWork, populate_groups));
     const VkBufferCopy copy{0, 0, sizeof(shader::GuidingWork)};
     vkCmdCopyBuffer(buffer, work_.handle(), statistics_[slot].handle(), 1, &copy);
+    gpu::host_read_barrier(buffer);
     current_ = 1 - current_;
 }
 

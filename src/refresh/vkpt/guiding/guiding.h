@@ -5,7 +5,7 @@
 // positions and light ids; nothing of levels or lights.
 #pragma once
 
-#include "refresh/vkpt/gpu/pipeline.h"
+#include "refresh/vkpt/gpu/pipeline_compiler.h"
 #include "refresh/vkpt/passes.h"
 #include "shared/guiding_types.h"
 
@@ -17,8 +17,8 @@ namespace vigil::vkpt {
 
 class Guiding {
 public:
-    /// `cache` may be null. `slots` is the number of frames in flight.
-    Guiding(const gpu::Device& device, const gpu::PipelineCache* cache, size_t slots);
+    /// `slots` is the number of frames in flight.
+    Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, size_t slots);
 
     /// What sizes and thresholds depend on.
     struct Options {
@@ -36,8 +36,9 @@ public:
     /// surface samples.
     static uint32_t node_capacity(const Options& options);
 
-    /// Makes room: buffers depend on the options, not on the number of lights. Returns true if they
-    /// were made anew: the octree starts anew then, and the GPU is idle.
+    /// Makes room, and has pipelines made: buffers depend on the options, not on the number of
+    /// lights. Returns true if they were made anew: the octree starts anew then, and the GPU is
+    /// idle.
     bool prepare(const Options& options);
     /// Forgets everything: the next record() begins with the root subdivided once and without
     /// samples. `corner` and `size` are the root's cube, in map units.
@@ -49,7 +50,8 @@ public:
     shader::GuidingWork statistics(size_t slot) const;
 
     /// Set 2 of the path tracer: look-ups and storing samples (shaders/guiding/octree.glsl).
-    VkDescriptorSetLayout layout() const { return trees_[0].lookup.layout(); }
+    const gpu::DescriptorSet& look_up() const { return trees_[0].lookup; }
+    VkDescriptorSetLayout layout() const { return look_up().layout(); }
     VkDescriptorSet set() const { return trees_[current_].lookup.handle(); }
 
     uint64_t memory_bytes() const;
@@ -72,12 +74,13 @@ public:
     const shader::GuidingHeader& header() const { return header_; }
 
 private:
+    void make_pipelines();
     void make_buffers();
     void bind(Tree& from, const Tree& to);
     void upload_start(gpu::FrameCommands& commands);
 
     const gpu::Device& device_;
-    const gpu::PipelineCache* cache_;
+    gpu::PipelineCompiler& compiler_;
     gpu::Buffer unused_;
     std::array<Tree, 2> trees_;
     size_t current_ = 0;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/cluster_lists.h"
 
+#include "common/log.h"
 #include "refresh/vkpt/scene/light_set.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace vigil::vkpt {
 
@@ -20,12 +24,33 @@ std::vector<LightTriangle> triangles_of(const LightSet& lights, uint32_t first, 
 
 } // namespace
 
+LightListLimits ClusterLists::limits_of(const gpu::Device& device) {
+    LightListLimits limits;
+    const uint64_t buffer_ids = device.features().max_storage_buffer_bytes / sizeof(uint32_t);
+    limits.ids = std::min(limits.ids, buffer_ids - buffer_ids / 3);
+    return limits;
+}
+
+LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char* which,
+                               bool& told) const {
+    LightListLimits limits = limits_;
+    if (told) limits.steps = 0; // refused once, and not tried again in every frame
+    LightLists lists = lister_.build(lights, limits);
+    if (!lists.refused.empty() && !std::exchange(told, true))
+        log_warning("{}: light lists of {} {} lights in {} clusters {}; all clusters share the list "
+                    "of all lights, and the picture is noisier",
+                    lister_.level_name(), lights.size(), which, lister_.cluster_count(),
+                    lists.refused);
+    return lists;
+}
+
 bool ClusterLists::prepare(const LightSet& lights) {
     bool renewed = false;
     const uint32_t first_moving = lights.static_count();
     if (!built_) {
         // A static light that is dark now may be switched on later: it is listed all the same.
-        const LightLists lists = lister_.build(triangles_of(lights, 0, first_moving, true));
+        const LightLists lists = build(triangles_of(lights, 0, first_moving, true), "static",
+                                       static_told_);
         static_pairs_ = lists.pair_count;
         renewed |= static_.set(lists);
         built_ = true;
@@ -34,7 +59,7 @@ bool ClusterLists::prepare(const LightSet& lights) {
         revision_ = lights.moving_revision();
         const auto count = static_cast<uint32_t>(lights.lights().size());
         const std::vector<LightTriangle> moving = triangles_of(lights, first_moving, count, false);
-        const LightLists lists = lister_.build(moving);
+        const LightLists lists = build(moving, "moving", moving_told_);
         moving_pairs_ = lists.pair_count;
         renewed |= moving_.set(lists);
         const uint32_t counts[2] = {static_cast<uint32_t>(lists.ranges.size()),

@@ -13,7 +13,7 @@ namespace vigil::vkpt {
 class ClusterLists {
 public:
     explicit ClusterLists(const TechniqueContext& context)
-        : lister_(context.lister), static_(context.device, "static light"),
+        : lister_(context.lister), limits_(limits_of(context.device)), static_(context.device, "static light"),
           moving_(context.device, "moving light"), counts_(context.device, "light list counts") {}
 
     /// Brings the lists to this frame's lights. Returns true if a buffer was made anew.
@@ -35,12 +35,18 @@ private:
         GrowingBuffer ranges, ids;
     };
 
+    /// What fits into the device's buffers, which grow by half.
+    static LightListLimits limits_of(const gpu::Device& device);
+    LightLists build(std::span<const LightTriangle> lights, const char* which, bool& told) const;
+
     const LightLister& lister_;
+    LightListLimits limits_;
     ListBuffers static_, moving_;
     GrowingBuffer counts_;
     uint64_t revision_ = 0;
     uint64_t static_pairs_ = 0, moving_pairs_ = 0;
     bool built_ = false;
+    bool static_told_ = false, moving_told_ = false; // that lists were refused
 };
 
 } // namespace vigil::vkpt

@@ -3,7 +3,6 @@
 // take away the clusters behind it, and turn "light -> clusters" into "cluster -> lights".
 #include "refresh/vkpt/light/light_lists.h"
 
-#include "common/error.h"
 #include "formats/bsp.h"
 #include "world/pvs.h"
 
@@ -14,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace vigil {
 namespace {
@@ -71,6 +72,46 @@ template <typename Visit> void for_each_bit(std::span<const uint64_t> words, Vis
             visit(static_cast<uint32_t>(w * 64) + static_cast<uint32_t>(std::countr_zero(bits)));
 }
 
+/// 64 rows of 64 bits: bit b of row a becomes bit a of row b.
+using BitBlock = std::array<uint64_t, 64>;
+
+void transpose(BitBlock& block) {
+    // Swap the two quarters off the diagonal, then within each quarter those of half the size.
+    uint64_t low_half = 0x00000000ffffffff;
+    for (uint32_t half = 32; half > 0; half /= 2, low_half ^= low_half << half) {
+        for (uint32_t row = 0; row < 64; ++row) {
+            if ((row & half) != 0) continue;
+            const uint64_t differ = (block[row] >> half ^ block[row + half]) & low_half;
+            block[row] ^= differ << half;
+            block[row + half] ^= differ;
+        }
+    }
+}
+
+/// Sight goes both ways, even where the compiler's rows disagree: sets bit b of row a wherever bit
+/// a of row b is set.
+void make_symmetric(std::span<uint64_t> rows, size_t row_count, size_t words) {
+    const auto load = [&](size_t row_block, size_t word) {
+        BitBlock block{};
+        for (size_t row = 64 * row_block; row < std::min(64 * row_block + 64, row_count); ++row)
+            block[row % 64] = rows[row * words + word];
+        return block;
+    };
+    const auto add = [&](size_t row_block, size_t word, const BitBlock& block) {
+        for (size_t row = 64 * row_block; row < std::min(64 * row_block + 64, row_count); ++row)
+            rows[row * words + word] |= block[row % 64];
+    };
+    for (size_t a = 0; a < words; ++a) {
+        for (size_t b = 0; b <= a; ++b) {
+            BitBlock upper = load(a, b), lower = load(b, a);
+            transpose(upper);
+            transpose(lower);
+            add(b, a, upper);
+            add(a, b, lower);
+        }
+    }
+}
+
 /// Groups clusters whose lists are equal, exactly: all start in one group, and each light divides
 /// the groups that it is seen from in part only.
 class ListGroups {
@@ -117,16 +158,10 @@ private:
 
 LightLister::LightLister(const Bsp& bsp, const Pvs& pvs)
     : bsp_(bsp), cluster_count_(pvs.cluster_count()), words_(pvs.words_per_row()) {
-    // Sight goes both ways, even where the compiler's rows disagree: take the union.
     rows_.resize(cluster_count_ * words_);
-    for (uint32_t a = 0; a < cluster_count_; ++a) {
-        const auto row = pvs.row(static_cast<int32_t>(a));
-        for (size_t w = 0; w < words_; ++w)
-            rows_[a * words_ + w] |= row[w];
-        if (pvs.sees_everything()) continue;
-        for_each_bit(row,
-                     [&](uint32_t b) { rows_[b * words_ + a / 64] |= uint64_t{1} << (a % 64); });
-    }
+    for (uint32_t a = 0; a < cluster_count_; ++a)
+        std::ranges::copy(pvs.row(static_cast<int32_t>(a)), rows_.begin() + a * words_);
+    if (!pvs.sees_everything()) make_symmetric(rows_, cluster_count_, words_);
 
     constexpr float huge = std::numeric_limits<float>::max();
     boxes_.assign(cluster_count_, {glm::vec3(huge), glm::vec3(-huge)});
@@ -140,13 +175,14 @@ LightLister::LightLister(const Bsp& bsp, const Pvs& pvs)
     }
 }
 
-void LightLister::clusters_touched(const LightTriangle& light,
-                                   std::vector<uint32_t>& clusters) const {
+uint64_t LightLister::clusters_touched(const LightTriangle& light,
+                                       std::vector<uint32_t>& clusters) const {
     struct Visit {
         int32_t child;
         Polygon polygon;
     };
     clusters.clear();
+    uint64_t corners = 0;
     const glm::vec3 normal = glm::cross(light.v1 - light.v0, light.v2 - light.v0);
     std::vector<Visit> stack;
     stack.push_back({bsp_.models.front().headnode, {light.v0, light.v1, light.v2}});
@@ -157,6 +193,7 @@ void LightLister::clusters_touched(const LightTriangle& light,
         while (visit.child >= 0) {
             const BspNode& node = bsp_.nodes[static_cast<size_t>(visit.child)];
             const BspPlane& plane = bsp_.planes[node.plane];
+            corners += visit.polygon.size();
             const PlaneSides sides = classify(visit.polygon, plane);
             bool front = sides.highest >= -on_plane, back = sides.lowest <= on_plane;
             if (sides.lowest >= -on_plane && sides.highest <= on_plane) {
@@ -178,11 +215,14 @@ void LightLister::clusters_touched(const LightTriangle& light,
             clusters.push_back(static_cast<uint32_t>(cluster));
     }
     sort_unique(clusters);
+    return corners;
 }
 
 /// Adds to `seen` the clusters that a triangle may shine on. `clusters` are those it touches.
-void LightLister::add_visibility(const LightTriangle& light, std::vector<uint32_t>& clusters,
-                                 std::span<uint64_t> seen) const {
+/// Returns the words and boxes that were looked at.
+uint64_t LightLister::add_visibility(const LightTriangle& light, std::span<const uint32_t> clusters,
+                                     std::span<uint64_t> seen) const {
+    uint64_t steps = words_ * (1 + clusters.size());
     std::vector<uint64_t> reach(words_, 0);
     if (clusters.empty()) {
         for (uint32_t c = 0; c < cluster_count_; ++c)
@@ -196,43 +236,75 @@ void LightLister::add_visibility(const LightTriangle& light, std::vector<uint32_
     const glm::dvec3 v0(light.v0);
     const glm::dvec3 normal = glm::cross(glm::dvec3(light.v1) - v0, glm::dvec3(light.v2) - v0);
     for_each_bit(reach, [&](uint32_t c) {
+        ++steps;
         const Box& box = boxes_[c];
         const glm::dvec3 corner(normal.x > 0.0 ? box.maxs.x : box.mins.x,
                                 normal.y > 0.0 ? box.maxs.y : box.mins.y,
                                 normal.z > 0.0 ? box.maxs.z : box.mins.z);
         if (glm::dot(normal, corner - v0) > 0.0) seen[c / 64] |= uint64_t{1} << (c % 64);
     });
+    return steps;
 }
 
-LightLists LightLister::build(std::span<const LightTriangle> lights) const {
+std::string_view LightLister::level_name() const {
+    return bsp_.name;
+}
+
+LightLists LightLister::build(std::span<const LightTriangle> lights,
+                              const LightListLimits& limits) const {
     LightLists lists;
     std::vector<uint32_t> order(lights.size());
     for (uint32_t i = 0; i < order.size(); ++i)
         order[i] = i;
     std::stable_sort(order.begin(), order.end(),
                      [&](uint32_t a, uint32_t b) { return lights[a].id < lights[b].id; });
-
-    // Light by light in order of ids: the clusters it is seen from, as one bit set each.
-    std::vector<uint32_t> ids, clusters;
-    std::vector<uint64_t> seen; // words_ per id
-    for (const uint32_t index : order) {
-        const LightTriangle& light = lights[index];
-        clusters_touched(light, clusters);
-        if (clusters.empty()) ++lists.unplaced;
-        if (ids.empty() || ids.back() != light.id) {
-            ids.push_back(light.id);
-            seen.resize(seen.size() + words_, 0);
-        }
-        add_visibility(light, clusters, std::span(seen).last(words_));
+    std::vector<uint32_t> ids;
+    std::vector<size_t> first_triangle; // of each id, in `order`
+    for (size_t i = 0; i < order.size(); ++i) {
+        if (!ids.empty() && ids.back() == lights[order[i]].id) continue;
+        ids.push_back(lights[order[i]].id);
+        first_triangle.push_back(i);
     }
-    const auto seen_by = [&](size_t light) {
-        return std::span<const uint64_t>(seen).subspan(light * words_, words_);
+    first_triangle.push_back(order.size());
+
+    // One list for all, where lists of their own would take too much.
+    const auto share_all = [&](std::string why) {
+        lists.ranges.assign(size_t{cluster_count_} + 1, {0, static_cast<uint32_t>(ids.size())});
+        lists.pair_count = uint64_t{cluster_count_} * ids.size();
+        lists.ids = std::move(ids);
+        lists.refused = std::move(why);
+        return std::move(lists);
     };
+
+    // A walk visits light by light in order of ids, with the clusters it is seen from as a bit set.
+    // False where that would take too long.
+    const bool keep = ids.size() * words_ <= limits.kept_words;
+    std::vector<uint64_t> sets(words_ * (keep ? ids.size() : 1));
+    std::vector<uint32_t> clusters;
+    bool walked = false;
+    const auto walk = [&](auto visit) {
+        for (size_t light = 0; light < ids.size(); ++light) {
+            const auto seen = std::span(sets).subspan(keep ? light * words_ : 0, words_);
+            if (!keep || !walked) {
+                std::ranges::fill(seen, 0);
+                for (size_t i = first_triangle[light]; i < first_triangle[light + 1]; ++i) {
+                    lists.steps += clusters_touched(lights[order[i]], clusters);
+                    lists.steps += add_visibility(lights[order[i]], clusters, seen);
+                    if (clusters.empty() && !walked) ++lists.unplaced;
+                }
+                if (lists.steps > limits.steps) return false;
+            }
+            visit(ids[light], seen);
+        }
+        walked = true;
+        return true;
+    };
+    const std::string too_long = "would take too long to make";
 
     // Clusters with equal lists share one; the first cluster of a group owns it.
     ListGroups groups(cluster_count_);
-    for (size_t light = 0; light < ids.size(); ++light)
-        groups.divide(seen_by(light));
+    if (!walk([&](uint32_t, std::span<const uint64_t> seen) { groups.divide(seen); }))
+        return share_all(too_long);
     constexpr uint32_t nobody = UINT32_MAX;
     std::vector<uint32_t> owner(groups.group_count(), nobody);
     std::vector<uint64_t> owners(words_, 0);
@@ -245,24 +317,27 @@ LightLists LightLister::build(std::span<const LightTriangle> lights) const {
     // Count, lay out, fill: lights come in order, so lists come out sorted.
     const auto for_each_pair = [&](auto visit) {
         std::vector<uint64_t> owned(words_);
-        for (size_t light = 0; light < ids.size(); ++light) {
+        return walk([&](uint32_t id, std::span<const uint64_t> seen) {
             for (size_t w = 0; w < words_; ++w)
-                owned[w] = seen_by(light)[w] & owners[w];
-            for_each_bit(owned, [&](uint32_t c) { visit(c, ids[light]); });
-        }
+                owned[w] = seen[w] & owners[w];
+            for_each_bit(owned, [&](uint32_t c) { visit(c, id); });
+        });
     };
     lists.ranges.resize(size_t{cluster_count_} + 1);
-    for_each_pair([&](uint32_t c, uint32_t) { ++lists.ranges[c].count; });
+    if (!for_each_pair([&](uint32_t c, uint32_t) { ++lists.ranges[c].count; }))
+        return share_all(too_long);
     uint64_t first = 0;
     for (uint32_t c = 0; c < cluster_count_; ++c) {
         lists.ranges[c].first = static_cast<uint32_t>(first);
         first += lists.ranges[c].count;
-        if (first + ids.size() > UINT32_MAX) fail("light lists: more than {} entries", UINT32_MAX);
+        if (first + ids.size() > limits.ids)
+            return share_all(fmt::format("would have more than {} entries", limits.ids));
     }
     lists.ids.resize(first + ids.size());
     std::vector<uint32_t> filled(cluster_count_, 0);
-    for_each_pair(
-        [&](uint32_t c, uint32_t id) { lists.ids[lists.ranges[c].first + filled[c]++] = id; });
+    if (!for_each_pair(
+            [&](uint32_t c, uint32_t id) { lists.ids[lists.ranges[c].first + filled[c]++] = id; }))
+        return share_all(too_long);
 
     for (uint32_t c = 0; c < cluster_count_; ++c) {
         lists.ranges[c] = lists.ranges[owner[groups.group_of(c)]];

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace vigil {
@@ -27,12 +29,25 @@ struct LightRange {
     uint32_t count = 0;
 };
 
+/// What lists may take: lights times clusters may be far more than the file of a level. A level
+/// that needs more gets one list of all lights for all of its clusters, which is as right and
+/// noisier.
+struct LightListLimits {
+    uint64_t ids = uint64_t{1} << 26;   // 256 MiB
+    uint64_t steps = uint64_t{1} << 29; // corners, words and boxes that are looked at: seconds
+    /// Bit sets (a bit per light and cluster) are kept from walk to walk up to this size (64 MiB),
+    /// and are made anew for each light otherwise.
+    uint64_t kept_words = uint64_t{1} << 23;
+};
+
 /// One list per cluster and a last one with all lights, for points in no cluster. Ids are sorted
 /// and unique in a list. Clusters that see the same lights share one copy of them.
 struct LightLists {
     std::vector<LightRange> ranges; // cluster_count + 1
     std::vector<uint32_t> ids;
+    std::string refused; // why all clusters share the list of all lights; empty if they do not
     uint64_t pair_count = 0; // lengths of the clusters' lists, shared copies counted each time
+    uint64_t steps = 0;      // corners, words and boxes that were looked at
     uint32_t unplaced = 0;   // lights that touch no cluster (inside walls); they are in every list
 
     std::span<const uint32_t> list(size_t cluster) const {
@@ -52,19 +67,24 @@ public:
     /// clipped down the node tree. A part that lies in a splitting plane belongs to its lit side; a
     /// corner that merely touches a plane belongs to both sides. Empty if the triangle is in no
     /// cluster.
-    void clusters_touched(const LightTriangle& light, std::vector<uint32_t>& clusters) const;
+    /// Returns the corners that were looked at.
+    uint64_t clusters_touched(const LightTriangle& light, std::vector<uint32_t>& clusters) const;
 
-    /// Lists of the given lights. Triangles may come in any order and share ids. Throws Error if
-    /// the lists need more than 2^32 - 1 ids.
-    LightLists build(std::span<const LightTriangle> lights) const;
+    /// Lists of the given lights. Triangles may come in any order and share ids. Memory beyond
+    /// that of the lights is bounded by the limits.
+    LightLists build(std::span<const LightTriangle> lights,
+                     const LightListLimits& limits = {}) const;
+
+    /// The file of the level, for messages.
+    std::string_view level_name() const;
 
 private:
     struct Box {
         glm::vec3 mins, maxs;
     };
 
-    void add_visibility(const LightTriangle& light, std::vector<uint32_t>& clusters,
-                        std::span<uint64_t> seen) const;
+    uint64_t add_visibility(const LightTriangle& light, std::span<const uint32_t> clusters,
+                            std::span<uint64_t> seen) const;
 
     const Bsp& bsp_;
     uint32_t cluster_count_ = 0;

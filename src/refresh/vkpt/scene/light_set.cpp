@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace vigil::vkpt {
 
@@ -101,13 +102,11 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
     const size_t style = static_cast<size_t>(source.style);
     const float dim = style < styles_.size() ? styles_[style] : 1.0f;
     light.radiance = source.radiance * tint * (source.coverage * dim * scale_);
-    if (is_usable(light))
-        refused_.erase(id);
-    else {
+    if (!is_usable(light)) {
         light = {};
-        if (refused_.insert(id).second)
+        if (!std::exchange(told_, true))
             log_warning("light {}: its place or its radiance is not finite, or is negative: it "
-                        "stays dark",
+                        "stays dark, and so do others like it",
                         id);
     }
     shader::Light& old = lights_[id];
@@ -120,8 +119,8 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
     old = light;
 }
 
-uint32_t LightSet::place(uint64_t key, std::span<const LightSource> sources,
-                         const glm::mat4x3& world_from_object, glm::vec3 tint) {
+std::optional<uint32_t> LightSet::place(uint64_t key, std::span<const LightSource> sources,
+                                        const glm::mat4x3& world_from_object, glm::vec3 tint) {
     const auto count = static_cast<uint32_t>(sources.size());
     if (count == 0) return 0;
     auto known = slots_.find(key);
@@ -138,6 +137,8 @@ uint32_t LightSet::place(uint64_t key, std::span<const LightSource> sources,
             slot = *fitting;
             free_.erase(fitting);
         } else {
+            if (lights_.size() - static_count_ + sources.size() > max_moving_lights)
+                return std::nullopt;
             slot.first = static_cast<uint32_t>(lights_.size());
             slot.count = count;
             lights_.resize(lights_.size() + count);

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +17,10 @@ namespace vigil::vkpt {
 
 /// Triangles of a dynamic light's octahedron.
 inline constexpr uint32_t dynamic_light_triangles = 8;
+
+/// Lights beyond those of the static world that a set holds at most: a level may place a model of
+/// many lights many times.
+inline constexpr uint32_t max_moving_lights = 1u << 20;
 
 /// The octahedron of a dynamic light of radius 1 around the origin, wound outwards.
 ModelGeometry dynamic_light_geometry(uint32_t material);
@@ -34,9 +38,9 @@ public:
     /// then end_frame.
     void begin_frame(std::span<const float> light_styles, float emissive_scale);
     /// Places a model's lights; `key` names the entity or dynamic light while it exists. `tint`
-    /// multiplies radiance. Returns the id of the model's light 0.
-    uint32_t place(uint64_t key, std::span<const LightSource> sources,
-                   const glm::mat4x3& world_from_object, glm::vec3 tint);
+    /// multiplies radiance. Returns the id of the model's light 0; nothing if there is no room.
+    std::optional<uint32_t> place(uint64_t key, std::span<const LightSource> sources,
+                                  const glm::mat4x3& world_from_object, glm::vec3 tint);
     /// Darkens what was not placed. Light ids are valid until the next begin_frame.
     void end_frame();
 
@@ -64,7 +68,7 @@ private:
     std::vector<shader::Light> lights_;
     std::map<uint64_t, Slot> slots_;
     std::vector<Slot> free_;
-    std::set<uint32_t> refused_; // ids of lights that are dark because they are not finite
+    bool told_ = false; // of a light that stays dark because it is not finite
     std::vector<float> styles_;
     float scale_ = 1.0f;
     uint32_t static_count_ = 0;

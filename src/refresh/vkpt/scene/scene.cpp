@@ -16,6 +16,7 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
+#include <utility>
 
 namespace vigil::vkpt {
 
@@ -220,6 +221,16 @@ void Scene::add_instance(const Placed& placed, size_t placed_index, const glm::m
     instance_placed_.push_back(placed_index);
 }
 
+void Scene::add_model(size_t placed_index, const glm::mat4x3& transform, const glm::vec3& tint,
+                      uint64_t key, uint32_t entity) {
+    const Placed& placed = placed_[placed_index];
+    if (const auto first_light = lights_.place(key, placed.lights, transform, tint))
+        add_instance(placed, placed_index, transform, *first_light, key, entity);
+    else if (!std::exchange(told_of_lights_, true))
+        log_warning("{}: its entities have more than {} lights; those beyond are not shown",
+                    level_->bsp.name, max_moving_lights);
+}
+
 void Scene::add_particles(const refresh::Frame& frame) {
     if (frame.particles.empty()) return;
     // One model for all of them, whose size doubles as needed: the hierarchy of a model that
@@ -255,12 +266,9 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
         if (entity.model < 0 || entity.model >= static_cast<int>(models_.size())) continue;
         const Model& model = models_[static_cast<size_t>(entity.model)];
         const size_t index = model.placed ? *model.placed : pose_of(entity);
-        const Placed& placed = placed_[index];
-        const uint64_t key = entity_key_base + static_cast<uint32_t>(entity.number);
-        const glm::mat4x3 transform = rigid_transform(entity.origin, entity.angles);
-        const uint32_t first_light = lights_.place(key, placed.lights, transform, glm::vec3(1.0f));
-        add_instance(placed, index, transform, first_light, key,
-                     static_cast<uint32_t>(entity.number));
+        add_model(index, rigid_transform(entity.origin, entity.angles), glm::vec3(1.0f),
+                  entity_key_base + static_cast<uint32_t>(entity.number),
+                  static_cast<uint32_t>(entity.number));
     }
     add_particles(frame);
     if ((!frame.dynamic_lights.empty() || !frame.beams.empty()) && !dynamic_light_model_)
@@ -268,19 +276,13 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
             "dynamic light", dynamic_light_geometry(materials_->lamp_material()), Deforms::No);
     for (const refresh::DynamicLight& light : frame.dynamic_lights) {
         if (!(light.radius > 0.0f)) continue;
-        const Placed& placed = placed_[*dynamic_light_model_];
-        const uint64_t key = dynamic_light_key_base + light.id;
-        const glm::mat4x3 transform = scale_transform(light.origin, light.radius);
-        const uint32_t first_light = lights_.place(key, placed.lights, transform, light.radiance);
-        add_instance(placed, *dynamic_light_model_, transform, first_light, key, light.id);
+        add_model(*dynamic_light_model_, scale_transform(light.origin, light.radius),
+                  light.radiance, dynamic_light_key_base + light.id, light.id);
     }
     for (const refresh::Beam& beam : frame.beams) {
         if (!is_visible(beam)) continue;
-        const Placed& placed = placed_[*dynamic_light_model_];
-        const uint64_t key = beam_key_base + beam.id;
-        const glm::mat4x3 transform = spindle_transform(beam.from, beam.to, beam.radius);
-        const uint32_t first_light = lights_.place(key, placed.lights, transform, beam.radiance);
-        add_instance(placed, *dynamic_light_model_, transform, first_light, key, beam.id);
+        add_model(*dynamic_light_model_, spindle_transform(beam.from, beam.to, beam.radius),
+                  beam.radiance, beam_key_base + beam.id, beam.id);
     }
     if (!frame.spots.empty() && !spot_model_)
         spot_model_ = place_model(
@@ -288,12 +290,9 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
             Deforms::No);
     for (const refresh::Spot& spot : frame.spots) {
         if (!(spot.radius > 0.0f)) continue;
-        const Placed& placed = placed_[*spot_model_];
-        const uint64_t key = spot_key_base + spot.id;
         const glm::mat3 turned = spot.radius * rotation_from_angles(spot.angles);
         const glm::mat4x3 transform(turned[0], turned[1], turned[2], spot.origin);
-        const uint32_t first_light = lights_.place(key, placed.lights, transform, spot.radiance);
-        add_instance(placed, *spot_model_, transform, first_light, key, spot.id);
+        add_model(*spot_model_, transform, spot.radiance, spot_key_base + spot.id, spot.id);
     }
     lights_.end_frame();
     top_nodes_ = build_top_level(top_instances_);

@@ -137,6 +137,9 @@ private:
     void write_model(Placed& placed, const ModelGeometry& geometry);
     size_t pose_of(const refresh::Entity& entity);
     void add_particles(const refresh::Frame& frame);
+    /// Adds an instance with its lights, unless there is no room for these.
+    void add_model(size_t placed_index, const glm::mat4x3& transform, const glm::vec3& tint,
+                   uint64_t key, uint32_t entity);
     void add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
                       uint32_t first_light, uint64_t key, uint32_t entity);
     void update_features(bool any_instances);
@@ -176,6 +179,7 @@ private:
     LightSet lights_;
     uint64_t uploaded_light_revision_ = 0;
     uint64_t seen_light_revision_ = 0;
+    bool told_of_lights_ = false; // that there was no room for some
     uint64_t revision_ = 1;
     std::vector<std::byte> instance_bytes_; // of the frame before, to see changes
 

@@ -10,11 +10,11 @@ namespace {
 
 /// World boxes grow by this share of their largest coordinate: rounding of the transform and the
 /// box test.
-constexpr float PADDING = 16.0f / 16777216.0f;
+constexpr float box_padding = 16.0f / 16777216.0f;
 
 void write_bounds(const Bounds& bounds, shader::TopNode& node) {
     const glm::vec3 magnitude = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
-    const float pad = PADDING * glm::max(glm::max(magnitude.x, magnitude.y), magnitude.z);
+    const float pad = box_padding * glm::max(glm::max(magnitude.x, magnitude.y), magnitude.z);
     node.lower = bounds.lower - pad;
     node.upper = bounds.upper + pad;
 }

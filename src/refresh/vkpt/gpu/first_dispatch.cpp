@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/gpu/first_dispatch.h"
+
+#include <array>
+
+namespace vigil::gpu {
+
+FirstDispatch::FirstDispatch(const Device& device, FrameCommands& commands, const PipelineJob& job)
+    : device_(device), commands_(commands),
+      buffer_(device, 16, MemoryUse::Device, "unused", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+      texels_(device, 16, MemoryUse::Device, "unused texels",
+              VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) {
+    VkBufferViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+    info.buffer = texels_.handle();
+    info.format = VK_FORMAT_R32G32B32A32_UINT;
+    info.range = VK_WHOLE_SIZE;
+    VkBufferView view = VK_NULL_HANDLE;
+    check(vkCreateBufferView(device.handle(), &info, nullptr, &view), "vkCreateBufferView");
+    view_ = {device.handle(), view, vkDestroyBufferView};
+
+    std::vector<VkDescriptorSetLayout> layouts;
+    std::vector<VkDescriptorSet> handles;
+    for (const std::vector<VkDescriptorType>& types : job.source.sets) {
+        DescriptorSet& set = sets_.emplace_back(device, types, buffer_, "unused");
+        for (uint32_t i = 0; i < types.size(); ++i) {
+            if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) set.bind(i, buffer_);
+            if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) set.bind(i, view);
+        }
+        layouts.push_back(set.layout());
+        handles.push_back(set.handle());
+    }
+    layout_ = make_pipeline_layout(device, layouts);
+
+    commands_.begin();
+    const VkCommandBuffer buffer = commands_.commands();
+    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
+                            static_cast<uint32_t>(handles.size()), handles.data(), 0, nullptr);
+    const std::array<uint32_t, 32> constants{};
+    vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(constants),
+                       constants.data());
+    vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, job.pipeline.get());
+    vkCmdDispatch(buffer, 0, 1, 1);
+    commands_.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
+}
+
+FirstDispatch::~FirstDispatch() {
+    if (done_) return;
+    const VkFence fence = commands_.fence();
+    vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, UINT64_MAX);
+}
+
+bool FirstDispatch::wait_for(std::chrono::milliseconds time) {
+    const VkFence fence = commands_.fence();
+    const auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(time);
+    const VkResult result = vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE,
+                                            static_cast<uint64_t>(nanoseconds.count()));
+    if (result == VK_TIMEOUT) return false;
+    check(result, "vkWaitForFences");
+    return done_ = true;
+}
+
+} // namespace vigil::gpu

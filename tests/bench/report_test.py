@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What tools/report says of reports: marks, intervals that older reports lose, and pages that contradict their data."""
+
+import contextlib
+import copy
+import io
+import json
+import re
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "report"))
+
+import agreement
+import defaults
+import tables
+
+
+def row(label, time=1.0, product=1.0, p=1.0, plain=None):
+    """A value's row: `product` is its time x error, `plain` the same of all pixels."""
+    interval = {"value": product, "low": 0.9 * product, "high": 1.1 * product, "p": p}
+
+    def error(at_equal_time):
+        return {"value": 1.0, "ratio": {"value": at_equal_time / time}, "typical": dict(interval),
+                "ratio_at_equal_time": {"value": at_equal_time}, "typical_at_equal_time": dict(interval)}
+
+    return {"label": label, "mse": error(plain or product), "trimmed_mse": error(product),
+            "frame_ms": {"value": 1.0, "ratio": {"value": time, "low": time, "high": time, "p": 1.0}}}
+
+
+def report(measured, parts, **more):
+    """Rows by the name of their part."""
+    return {"measured": measured, "finished": True, "intervals": "typical runs", "device": "none", "commit": "abc", "key": measured,
+            "width": 1, "height": 1, "seeds": 2, "first_seed": 1,
+            "parts": [{"part": name, "level": name.split()[0], "baseline": "base", "views": [{}] * 4, "seeds": 6, "first_seed": 1001,
+                       "rows": [row("base"), *rows]} for name, rows in parts.items()]} | more
+
+
+class Statistics(unittest.TestCase):
+    def test_ranks_are_those_of_the_sign_test(self):
+        for count, rank in ((8, 1), (16, 4), (24, 7), (32, 10)):
+            runs = list(range(1, count + 1))
+            found = tables.typical_run([runs[i::4] for i in range(4)])
+            self.assertEqual((found["value"], found["low"], found["high"]), (0.5 * (count + 1), rank, count + 1 - rank))
+        self.assertIsNone(tables.typical_run([[1, 2], [3, 4], [5, 6]])["low"])  # three views
+        self.assertIsNone(tables.typical_run([[1], [2], [3], [4]])["low"])  # four runs
+
+    def test_marks_go_by_holm(self):
+        chances = {"a": 0.03, "b": 0.01, "c": None, "d": 0.04, "e": 0.012}
+        self.assertEqual(tables.standing_out(chances), {"b", "e"})
+        self.assertEqual(tables.standing_out({"a": 0.02, "b": 0.02, "c": 0.02}), set())
+
+    def test_agreement_is_a_rank_sum_test(self):
+        low, high = [[1, 2, 3, 4]] * 4, [[5, 6, 7, 8]] * 4
+        # Sum of ranks 10 of 18 +- sqrt(12) a view.
+        self.assertAlmostEqual(agreement.chance(low, high), 2 * agreement.statistics.NormalDist().cdf(-31.5 / 48**0.5))
+        self.assertGreater(agreement.chance([[1, 4, 5, 8]] * 4, [[2, 3, 6, 7]] * 4), 0.9)
+        self.assertEqual(agreement.rank_sum([1, 1], [1, 2]), (4.0, 5.0, 1.0))  # three share rank 2
+        self.assertIsNone(agreement.chance([[1, 1]], [[1, 1]]))
+
+
+class OlderReports(unittest.TestCase):
+    def test_lose_intervals_of_means_and_keep_those_of_times_over_four_views(self):
+        interval = {"value": 2.0, "low": 1.0, "high": 3.0}
+        part = {"part": "x", "views": [{}] * 4, "rows": [
+            {"label": "a", "mse": interval | {"ratio": dict(interval)}, "frame_ms": interval | {"ratio": dict(interval)}}]}
+        older = {"measured": "quality", "finished": True, "parts": [part, copy.deepcopy(part) | {"views": [{}] * 2}]}
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "quality.json"
+            path.write_text(json.dumps(older))
+            first, second = (part["rows"][0] for part in tables.load(path, "quality")["parts"])
+        for value in (first["mse"], first["mse"]["ratio"], first["frame_ms"], second["frame_ms"]["ratio"]):
+            self.assertEqual((value["value"], value["low"], value["high"]), (2.0, None, None))
+        self.assertEqual(first["frame_ms"]["ratio"], interval)
+
+
+class Tables(unittest.TestCase):
+    def test_mark_what_stands_out_among_all_of_them(self):
+        # 0.02 is enough for one comparison, not for four.
+        one = report("quality", {"x": [row("a", product=0.5, p=0.02)]})
+        four = report("quality", {"x": [row("a", product=0.5, p=0.02), *(row(name) for name in "bcd")]})
+        for shown, text in ((one, "0.5; **0.5** [0.45, 0.55]"), (four, "0.5 [0.45, 0.55]")):
+            _, lines = tables.by_technique("", shown["parts"], tables.MEASURES[2][1])
+            self.assertIn(text, lines[0][2])
+        self.assertNotIn("**", lines[0][2])
+
+
+class Defaults(unittest.TestCase):
+    def page(self, trade, again=None, arguments=()):
+        """What defaults.py prints, and what it complains of."""
+        out, err = io.StringIO(), io.StringIO()
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            paths = []
+            for measured in filter(None, (trade, again)):
+                paths.append(str(Path(folder) / f"{measured['measured']}.json"))
+                Path(paths[-1]).write_text(json.dumps(measured))
+            with self.assertRaises(SystemExit) as ended:
+                defaults.main([*paths, *arguments])
+        code = ended.exception.code
+        return out.getvalue(), err.getvalue() + (code if isinstance(code, str) else ""), code
+
+    def confirm(self, *rows, name="pt_spp", **more):
+        return report("confirm", {f"hall {name}": rows}, **({"trade": {"key": "trade", "commit": "abc"}} | more))
+
+    better = row("pt_spp=2", time=2.0, product=0.8)
+    trade = report("trade", {"hall pt_spp": [better]})
+
+    def test_what_looks_better_must_be_measured_again(self):
+        text, faults, code = self.page(self.trade)
+        self.assertIn("was not measured again", text)
+        self.assertIn("pt_spp=2", faults)
+        self.assertEqual(code, 1)
+
+    def test_what_does_not_look_better_need_not_be(self):
+        for other in (row("pt_spp=2", product=1.2), row("pt_spp=2", product=0.8, plain=1.2)):
+            text, faults, code = self.page(report("trade", {"hall pt_spp": [other]}))
+            self.assertEqual((faults, code), ("", 0))
+            self.assertNotIn("looks better", text)
+
+    def test_luck_is_not_confirmed(self):
+        for again in (row("pt_spp=2", time=2.0, product=1.1, p=0.001), row("pt_spp=2", time=2.0, product=0.9, p=0.3),
+                      row("pt_spp=2", time=2.0, product=0.9, p=0.001, plain=1.3)):
+            text, faults, code = self.page(self.trade, self.confirm(again))
+            self.assertIn("on fresh seeds that is not confirmed", text)
+            self.assertEqual((faults, code), ("", 0))
+
+    def test_a_reason_is_given_where_it_is_needed(self):
+        text, faults, code = self.page(self.trade, self.confirm(row("pt_spp=2", time=2.0, product=0.8, p=0.001)))
+        self.assertIn(defaults.REASONS["pt_spp"].text, text)
+        self.assertEqual((faults, code), ("", 0))
+
+    def test_a_reason_that_the_data_deny_is_an_error(self):
+        # One sample makes the shortest frames, says the reason.
+        text, faults, code = self.page(self.trade, self.confirm(row("pt_spp=2", time=0.9, product=0.8, p=0.001)))
+        self.assertIn("REASONS of pt_spp, pt_spp=2: its frames are not longer on hall", faults)
+        self.assertEqual(code, 1)
+        values = defaults.defaults()
+        denied = defaults.REASONS["pt_sll_max"].denied
+        self.assertEqual(denied({}, values), "")
+        self.assertNotEqual(denied({}, values | {"pt_nee": "sll"}), "")
+        self.assertNotEqual(denied({}, values | {"pt_vlc_bucket": "16"}), "")
+
+    def test_what_is_better_without_a_reason_is_an_error(self):
+        rows = [row("pt_made_up=2", product=0.8, p=0.001)]
+        trade = report("trade", {"hall pt_made_up": rows})
+        _, faults, code = self.page(trade, self.confirm(*rows, name="pt_made_up"))
+        self.assertIn("pt_made_up=2 is better than the default", faults)
+        self.assertEqual(code, 1)
+
+    def test_better_here_and_worse_there_is_not_better(self):
+        levels = {"hall pt_made_up": [row("pt_made_up=2", product=0.5, p=0.001)],
+                  "cave pt_made_up": [row("pt_made_up=2", product=1.4, p=0.001)]}
+        again = report("confirm", levels, trade={"key": "trade"})
+        text, _, code = self.page(report("trade", levels), again)
+        self.assertIn("not confirmed", text)
+        self.assertEqual(code, 0)
+
+    def test_many_comparisons_ask_for_more(self):
+        better = row("pt_spp=2", time=2.0, product=0.8, p=0.01)
+        self.assertNotIn("not confirmed", self.page(self.trade, self.confirm(better))[0])
+        others = [row(f"pt_spp={value}") for value in range(3, 9)]
+        self.assertIn("not confirmed", self.page(self.trade, self.confirm(better, *others))[0])
+
+    def test_reports_are_of_one_commit(self):
+        again = self.confirm(row("pt_spp=2", time=2.0, product=1.1), commit="def")
+        text, faults, _ = self.page(self.trade, again)
+        self.assertEqual(text, "")
+        self.assertIn("of commit def", faults)
+        text, _, code = self.page(self.trade, again, ["--commits-differ"])
+        self.assertIn("The two reports are of different commits", text)
+        self.assertEqual(code, 0)
+        _, faults, _ = self.page(self.trade, self.confirm(self.better, trade={"key": "other", "commit": "abc"}))
+        self.assertIn("another report", faults)
+
+    def test_reasons_have_no_numbers_of_their_own(self):
+        for name, reason in defaults.REASONS.items():
+            self.assertIsNone(re.search(r"\d+\.\d|\d%|\[\d", reason.text), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
