@@ -1,4 +1,4 @@
-# Compiles GLSL to SPIR-V and embeds it: one table from name to code, refresh/vkpt/shader_library.h.
+# Compiles GLSL to SPIR-V and embeds it: one table from name to code, refresh/vkpt/gpu/shader_library.h.
 
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 set(VIGIL_SHADER_DIR ${CMAKE_SOURCE_DIR}/shaders)

@@ -21,7 +21,7 @@ vec3 arriving_radiance(Surface surface, vec3 direction, inout Random random) {
     ray.direction = direction;
     ray.t_min = 0.0;
     ray.t_max = 1e30;
-    const int bounces = frame.cvars.pt_bounces;
+    const int bounces = frame.settings.pt_bounces;
     for (int depth = 0; depth <= bounces; ++depth) {
         const RayEnd end = follow_ray(ray, depth < bounces, random);
         gathered += throughput * end.brought;

@@ -4,7 +4,7 @@
 #ifndef VIGIL_DEBUG_DIRECTION_MAP_GLSL
 #define VIGIL_DEBUG_DIRECTION_MAP_GLSL
 
-#include "pathtrace/frame.glsl"
+#include "scene/frame.glsl"
 #include "shared/direction_map.h"
 
 layout(set = SET_SCENE, binding = BINDING_DIRECTION_MAP, scalar) restrict buffer DirectionMapBlock {

@@ -6,6 +6,7 @@
 
 #include "debug/direction_map.glsl"
 #include "guiding/octree.glsl"
+#include "scene/surface.glsl"
 #include "shared/cdq.h"
 #include "shared/view_colors.h"
 
@@ -17,7 +18,7 @@ vec3 density_color(float density) {
 /// Density of the quadtree's draws; its leaves have borders where they are some pixels wide.
 vec3 quadtree_color(Surface surface, DirectionInset inset) {
     if (CDQ_BITS == 0u) return VIEW_OFF;
-    const uvec4 tree = load_cdq(find_leaves(surface).cache);
+    const uvec4 tree = load_cdq(find_leaves(surface.position, previous_position(surface)).cache);
     const CdqPlace place = cdq_find(tree, inset.uv);
     const vec3 color = density_color(cdq_leaf_pdf(CDQ_BITS, place.depth, octahedral_decode(inset.uv)));
     const float cells = float(1u << place.depth);
@@ -53,7 +54,7 @@ vec3 directions_color(uvec2 pixel, vec3 picture, Surface at_crosshair, bool foun
     if (inset.kind != INSET_NONE) return found ? inset_color(at_crosshair, inset) : VIEW_OFF;
     if (on_crosshair(pixel)) return VIEW_HORIZON;
     if (guided == 0u || !found) return picture;
-    const bool same_leaf = hit && find_leaves(here).cache == find_leaves(at_crosshair).cache;
+    const bool same_leaf = hit && find_leaves(here.position, previous_position(here)).cache == find_leaves(at_crosshair.position, previous_position(at_crosshair)).cache;
     return same_leaf ? picture : VIEW_OTHER_LEAF * picture;
 }
 

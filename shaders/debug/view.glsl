@@ -65,7 +65,7 @@ Surface seen_surface(PrimaryHit hit) {
 /// Colour of a pixel, sRGB. `picture` is what it would be without a view.
 vec3 view_color(uvec2 pixel, vec3 picture) {
     const PrimaryHit hit = primary_hits[pixel.y * frame.size.x + pixel.x];
-    const int view = frame.cvars.pt_view;
+    const int view = frame.settings.pt_view;
     if (view == VIEW_NONFINITE) return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
     const Surface surface = seen_surface(hit);
     if (view == VIEW_CDQ) {

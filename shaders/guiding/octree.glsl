@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The octree as the path tracer sees it (paper, section 6.3): finds the leaf whose cache a surface uses and the leaf that
-// its light sample goes to, in one walk from the root, and stores light samples.
+// The octree as whoever traces paths sees it (paper, section 6.3): finds the leaf whose cache a place uses and the leaf
+// that its samples go to, in one walk from the root, and stores samples.
 #ifndef VIGIL_GUIDING_OCTREE_GLSL
 #define VIGIL_GUIDING_OCTREE_GLSL
 
-#include "pathtrace/surface.glsl"
+#include "shared/bindings.h"
 #include "shared/guiding_types.h"
 #include "shared/octree.h"
 
@@ -45,20 +45,11 @@ uint find_leaf(uint node, uint depth, uvec3 grid) {
     return 0u; // not reached: inner nodes lie above the smallest cells
 }
 
-/// Position of a surface a frame ago.
-vec3 previous_position(Surface surface) {
-    const vec3 local = instances[surface.instance].object_from_world * vec4(surface.position, 1.0);
-    return instances[surface.instance].previous_world_from_object * vec4(local, 1.0);
-}
-
-SurfaceLeaves find_leaves(Surface surface) {
-    const uvec3 now = octree_grid(surface.position, guiding.corner, guiding.scale);
-    if (!HAS_INSTANCES || surface.instance == 0u) {
-        const uint leaf = find_leaf(0u, 0u, now);
-        return SurfaceLeaves(leaf, leaf);
-    }
+/// `previous` is where what is at `position` now was a frame ago.
+SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
+    const uvec3 now = octree_grid(position, guiding.corner, guiding.scale);
+    const uvec3 before = octree_grid(previous, guiding.corner, guiding.scale);
     // Both walks are one until the paths part.
-    const uvec3 before = octree_grid(previous_position(surface), guiding.corner, guiding.scale);
     uint node = 0u;
     for (uint depth = 0u; depth < OCTREE_MAX_DEPTH; ++depth) {
         const uint child = octree_child(now, depth);

@@ -5,8 +5,8 @@
 #define VIGIL_LIGHT_IMPORTANCE_GLSL
 
 #include "light/ltc.glsl"
-#include "pathtrace/firewall.glsl"
-#include "pathtrace/surface.glsl"
+#include "scene/firewall.glsl"
+#include "scene/surface.glsl"
 
 LtcSurface prepare_importance(Surface surface) {
     if (HAS_GLOSS && surface.brdf.f0 > 0.0) return ltc_prepare_glossy(surface.origin, surface.normal, surface.view, surface.brdf);

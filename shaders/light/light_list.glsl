@@ -5,7 +5,7 @@
 #ifndef VIGIL_LIGHT_LIGHT_LIST_GLSL
 #define VIGIL_LIGHT_LIGHT_LIST_GLSL
 
-#include "pathtrace/surface.glsl"
+#include "scene/surface.glsl"
 
 // List c belongs to cluster c, and one more holds all lights, for points in no cluster: ranges (first, count) of ids. Lights
 // of the static world are listed once; lights that can move, whose ids are larger, are listed anew when they do. Ids ascend.

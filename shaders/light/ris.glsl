@@ -17,7 +17,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
 
     // Candidates are spread evenly over the table from one random place. Each by itself has the table's probabilities, which is all that
     // an unbiased mean of them takes; together they repeat each other less than independent ones.
-    const uint count = uint(frame.cvars.pt_ris_candidates);
+    const uint count = uint(frame.settings.pt_ris_candidates);
     const uint step = 0xffffffffu / count;
     const LtcSurface prepared = prepare_importance(surface);
     Reservoir reservoir = new_reservoir(u);

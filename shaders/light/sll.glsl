@@ -25,7 +25,7 @@ struct ListWeights {
 
 ListWeights prepare_weights(Surface surface, LightList list) {
     ListWeights weights;
-    if (frame.cvars.pt_sll_mass == SLL_MASS_LTC) {
+    if (frame.settings.pt_sll_mass == SLL_MASS_LTC) {
         weights.prepared = prepare_importance(surface);
     } else {
         weights.prepared.position = surface.origin;
@@ -43,9 +43,9 @@ uint slot_of_light(ListWeights weights, uint light) {
 /// Above 0 for every light that can shine on the surface.
 float light_weight(ListWeights weights, uint light) {
     float weight;
-    if (frame.cvars.pt_sll_mass == SLL_MASS_LTC) weight = light_importance(weights.prepared, light);
+    if (frame.settings.pt_sll_mass == SLL_MASS_LTC) weight = light_importance(weights.prepared, light);
     else weight = solid_angle_importance(weights.prepared.position, weights.prepared.normal, light);
-    if (frame.cvars.pt_sll_stats != 0 && weight > 0.0) weight *= unshadowed_share(slot_of_light(weights, light));
+    if (frame.settings.pt_sll_stats != 0 && weight > 0.0) weight *= unshadowed_share(slot_of_light(weights, light));
     return weight;
 }
 
@@ -53,7 +53,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     const LightList list = find_light_list(surface);
     const vec3 u = random_next3(random);
     if (list.count == 0u) return no_light();
-    const uint stride = list_stride(list, uint(frame.cvars.pt_sll_max));
+    const uint stride = list_stride(list, uint(frame.settings.pt_sll_max));
     const uint start = min(uint(u.x * float(stride)), stride - 1u);
     const ListWeights weights = prepare_weights(surface, list);
     Reservoir reservoir = new_reservoir(u.y);
@@ -63,12 +63,12 @@ LightChoice choose_light(Surface surface, inout Random random) {
     }
     if (reservoir.chosen == NONE) return no_light();
     LightChoice choice = light_choice(reservoir.chosen, reservoir.chosen_importance / (reservoir.sum * float(stride)));
-    if (frame.cvars.pt_sll_stats != 0) choice.memory.x = slot_of_light(weights, choice.light);
+    if (frame.settings.pt_sll_stats != 0) choice.memory.x = slot_of_light(weights, choice.light);
     return choice;
 }
 
 void learn_light(LightChoice choice, uint outcome) {
-    if (frame.cvars.pt_sll_stats != 0 && outcome != LIGHT_UNTRIED) count_shadow_ray(choice.memory.x, outcome == LIGHT_SHADOWED);
+    if (frame.settings.pt_sll_stats != 0 && outcome != LIGHT_UNTRIED) count_shadow_ray(choice.memory.x, outcome == LIGHT_SHADOWED);
 }
 
 float light_probability(Surface surface, uint light) {
@@ -76,7 +76,7 @@ float light_probability(Surface surface, uint light) {
     const uint place = place_in_list(list, light);
     if (place == NONE) return 0.0;
     // The one start whose walk meets the light.
-    const uint stride = list_stride(list, uint(frame.cvars.pt_sll_max));
+    const uint stride = list_stride(list, uint(frame.settings.pt_sll_max));
     const ListWeights weights = prepare_weights(surface, list);
     float sum = 0.0;
     for (uint i = place % stride; i < list.count; i += stride)

@@ -15,7 +15,7 @@
 #ifndef VIGIL_LIGHT_TECHNIQUE_GLSL
 #define VIGIL_LIGHT_TECHNIQUE_GLSL
 
-#include "pathtrace/surface.glsl"
+#include "scene/surface.glsl"
 #include "shared/random.h"
 #include "shared/triangle_light.h"
 

@@ -17,7 +17,7 @@
 #define LEARNS_FROM_LIGHT_SAMPLES 1
 #define STORES_LIGHT_SAMPLES 1
 
-uint bucket_size() { return uint(frame.cvars.pt_vlc_bucket); }
+uint bucket_size() { return uint(frame.settings.pt_vlc_bucket); }
 
 /// The lights that a surface's cache holds: `buckets` buckets of bucket_size() each, a power of two; a light is in that of its
 /// id's remainder.
@@ -107,14 +107,14 @@ struct Shares {
 
 /// Share of the draws that should walk lists, by what they found lately.
 float wanted_walks(uint leaf) {
-    if (frame.cvars.pt_vlc_adapt == 0) return 0.0;
+    if (frame.settings.pt_vlc_adapt == 0) return 0.0;
     const uint words = leaf_word(LEAF_EXPLORE, 2u, leaf);
     return explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
 }
 
 Shares technique_shares(bool shines, uint leaf, LightList list) {
-    const float explore = shines ? frame.cvars.pt_vlc_explore : 1.0;
-    const float local = alias_count == 0u ? 1.0 : frame.cvars.pt_explore_local;
+    const float explore = shines ? frame.settings.pt_vlc_explore : 1.0;
+    const float local = alias_count == 0u ? 1.0 : frame.settings.pt_explore_local;
     if (list.count == 0u || local == 0.0) return Shares(1.0 - explore, 0.0, explore);
     const float table = explore * (1.0 - local);
     float by_list = explore * local;
@@ -159,7 +159,7 @@ float mixture_probability(LightSearch search, bool cached, uint light, float imp
 }
 
 LightChoice choose_light(Surface surface, inout Random random) {
-    const SurfaceLeaves found = find_leaves(surface);
+    const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     const LightSearch search = prepare_search(surface, found.cache);
     const vec3 u = random_next3(random);
     const uvec2 bits = random_next_bits(random);
@@ -213,7 +213,7 @@ void learn_light(LightChoice choice, uint outcome) {
 }
 
 float light_probability(Surface surface, uint light) {
-    const LightSearch search = prepare_search(surface, find_leaves(surface).cache);
+    const LightSearch search = prepare_search(surface, find_leaves(surface.position, previous_position(surface)).cache);
     const bool cached = is_cached(search.cache, light);
     const CandidateWalk walk =
         walk_candidates(search.prepared, search.list, candidates_of_light(search, cached, light), light, 0.0);

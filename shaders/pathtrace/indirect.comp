@@ -21,7 +21,7 @@ vec3 trace_path(Surface surface, inout Random random) {
     Guided first;
     vec3 first_brought = vec3(0.0);
     bool sent = false;
-    const int bounces = frame.cvars.pt_bounces;
+    const int bounces = frame.settings.pt_bounces;
     for (int depth = 0; depth <= bounces; ++depth) {
         // Send a ray, see what is there, and light it.
         Ray ray;

@@ -4,7 +4,7 @@
 #ifndef VIGIL_PATHTRACE_INDIRECT_RAY_GLSL
 #define VIGIL_PATHTRACE_INDIRECT_RAY_GLSL
 
-#include "pathtrace/firewall.glsl"
+#include "scene/firewall.glsl"
 #include "pathtrace/sky.glsl"
 #include "pathtrace/next_event.glsl"
 #include "guiding/octree.glsl"
@@ -35,9 +35,9 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
         seen = drawn.seen;
         return drawn.direction;
     }
-    const SurfaceLeaves found = find_leaves(surface);
+    const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     const uvec4 tree = load_cdq(found.cache);
-    const float brdf_part = frame.cvars.pt_cdq_brdf;
+    const float brdf_part = frame.settings.pt_cdq_brdf;
     vec3 direction;
     if (random_next(random) < brdf_part)
         direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;

@@ -24,13 +24,13 @@ struct PointChoice {
 /// mean, on the colour of the one kept (resampled importance sampling, Talbot et al. 2005; as the points have the light's density each, it is unbiased
 /// for any number of them). With a good choice of lights the choice of the point makes most of the noise, and is the cheaper of the two.
 PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
-    const int density = frame.cvars.pt_light_density;
+    const int density = frame.settings.pt_light_density;
     const SphericalTriangle near = near_light(light, surface.origin, density);
     float share = 0.0;
     if (HAS_GLOSS && surface.brdf.f0 > 0.0 && density == LIGHT_DENSITY_AUTO)
         share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light);
     PointChoice choice = PointChoice(vec3(0.0), vec3(0.0));
-    const int points = frame.cvars.pt_light_points;
+    const int points = frame.settings.pt_light_points;
     Reservoir reservoir = new_reservoir(v);
     for (int i = 0; i < points; ++i) {
         // Steps of the R2 sequence (Roberts 2018).

@@ -4,7 +4,7 @@
 #ifndef VIGIL_PATHTRACE_SKY_GLSL
 #define VIGIL_PATHTRACE_SKY_GLSL
 
-#include "pathtrace/scene.glsl"
+#include "scene/scene.glsl"
 #include "shared/sampling.h"
 
 /// Side (0..5 in the order rt bk lf ft up dn) and picture coordinates of a direction: the inverse of formats/sky.h.

@@ -22,7 +22,7 @@ void main() {
         if (lane < step) sums[lane] += sums[lane + step];
     }
     if (lane != 0u) return;
-    float value = frame.cvars.pt_exposure;
+    float value = frame.settings.pt_exposure;
     if (value == 0.0) value = 0.18 / exp2(sums[0].x / max(sums[0].y, 1.0));
-    exposure = clamp(value, 1e-6, 1e6) * exp2(frame.cvars.pt_exposure_bias);
+    exposure = clamp(value, 1e-6, 1e6) * exp2(frame.settings.pt_exposure_bias);
 }

@@ -3,7 +3,7 @@
 #ifndef VIGIL_POST_PICTURE_GLSL
 #define VIGIL_POST_PICTURE_GLSL
 
-#include "pathtrace/frame.glsl"
+#include "scene/frame.glsl"
 #include "shared/brdf.h"
 
 layout(set = SET_SCENE, binding = BINDING_ACCUMULATION, scalar) restrict buffer AccumulationBlock {

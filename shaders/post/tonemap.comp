@@ -24,8 +24,8 @@ vec3 filmic(vec3 color) {
 /// Exposed and toned, sRGB.
 vec3 picture_color(vec3 value) {
     vec3 color = min(value * exposure, vec3(1e4));
-    if (frame.cvars.pt_tonemap == 1) color = reinhard(color);
-    if (frame.cvars.pt_tonemap == 2) color = filmic(0.8 * color);
+    if (frame.settings.pt_tonemap == 1) color = reinhard(color);
+    if (frame.settings.pt_tonemap == 2) color = filmic(0.8 * color);
     return srgb_from_linear(clamp(color, 0.0, 1.0));
 }
 

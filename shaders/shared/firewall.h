@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What may enter a cache or a mean. A value that is not finite stays in every sum it enters, and
-// spreads from there. pathtrace/firewall.glsl counts what is kept out.
+// spreads from there. scene/firewall.glsl counts what is kept out.
 #ifndef VIGIL_SHARED_FIREWALL_H
 #define VIGIL_SHARED_FIREWALL_H
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What changes from frame to frame and is the same for all pixels: camera, clocks, sky, sun, and the variables
-// that shaders read. Scalar layout; the host fills it in refresh/vkpt/frame_params.cpp.
+// What changes from frame to frame and is the same for all pixels: camera, clocks, sky, sun, and
+// the variables that shaders read. Scalar layout; the host fills it in
+// refresh/vkpt/frame_params.cpp.
 #ifndef VIGIL_SHARED_FRAME_PARAMS_H
 #define VIGIL_SHARED_FRAME_PARAMS_H
 
 #include "glsl.h"
-#include "cvar_table.h"
+#include "settings_table.h"
 
 SHADER_BEGIN
 
@@ -17,28 +18,30 @@ struct FrameParams {
     uvec2 size;          // pixels
     float pixel_angle;   // angle that a pixel covers in the middle of the picture, radians
     float time_s;
-    uint frame;          // counts rendered frames; the random sequence
-    uint accumulated;    // frames in the running mean before this one; 0 starts anew
+    uint frame;            // counts rendered frames; the random sequence
+    uint accumulated;      // frames in the running mean before this one; 0 starts anew
     uint view_accumulated; // the same of what pt_view takes the mean of
-    uint jitter;         // 1: camera rays pass through random points of the pixel
-    uint light_count;    // ids in use, dark ones included
-    uint sky_texture;    // first of six textures in the order of formats/sky.h, or NONE
-    vec3 sky_radiance;   // factor on the sky's texels; the radiance itself if there is no texture
-    vec3 sun_direction;  // unit, towards the sun
-    vec3 sun_radiance;   // of the disc; 0 without a sun
-    float sun_size;      // 1 - cos(half the angular diameter)
-    GpuCvars cvars;
+    uint jitter;           // 1: camera rays pass through random points of the pixel
+    uint light_count;      // ids in use, dark ones included
+    uint sky_texture;      // first of six textures in the order of formats/sky.h, or NONE
+    vec3 sky_radiance;     // factor on the sky's texels; the radiance itself if there is no texture
+    vec3 sun_direction;    // unit, towards the sun
+    vec3 sun_radiance;     // of the disc; 0 without a sun
+    float sun_size;        // 1 - cos(half the angular diameter)
+    GpuSettings settings;
 };
 
-/// Push constants of the path tracer's passes. A picture has two sides while techniques are compared, else one; passes of
-/// a side look at its columns only.
+/// Push constants of the path tracer's passes. A picture has two sides while techniques are
+/// compared, else one; passes of a side look at its columns only.
 struct PassConstants {
-    uint path_index;   // which of the frame's pt_spp paths per pixel a dispatch traces: only path 0 teaches. A dispatch that traces none
+    uint path_index;   // which of the frame's pt_spp paths per pixel a dispatch traces: only path 0
+                       // teaches. A dispatch that traces none
     uint path_count;   // of them (views) has path_index == path_count
     uint first_column; // of the side
     uint end_column;   // the one after its last
-    uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of it
-    uint guided;         // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
+    uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of
+                         // it
+    uint guided; // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
 };
 
 /// Counted on the GPU, read back by the host without waiting.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What light/light_floor.comp says about one light at one pixel.
+// What debug/light_floor.comp says about one light at one pixel.
 #ifndef VIGIL_SHARED_LIGHT_FLOOR_H
 #define VIGIL_SHARED_LIGHT_FLOOR_H
 

@@ -6,7 +6,7 @@
 
 #include "common/binary_file.h"
 #include "common/error.h"
-#include "common/output.h"
+#include "console/outdir.h"
 
 #include <fmt/format.h>
 

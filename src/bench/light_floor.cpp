@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/light_floor.h"
 
-#include "refresh/vkpt/shader_library.h"
+#include "refresh/vkpt/gpu/shader_library.h"
 #include "refresh/vkpt/side_pass.h"
 #include "shared/light_floor.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/option_values.h"
 
-#include "common/cvar.h"
 #include "common/error.h"
+#include "console/cvar.h"
 
 #include <charconv>
 #include <cstdlib>

@@ -5,10 +5,10 @@
 #include "bench/quality_measure.h"
 #include "bench/timing.h"
 #include "client/commit.h"
-#include "common/cvar.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "common/output.h"
+#include "console/cvar.h"
+#include "console/outdir.h"
 #include "refresh/vkpt/gpu/device.h"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 // Numbers that do not exist are null.
 #include "bench/quality_report.h"
 
-#include "common/cvar.h"
-#include "refresh/vkpt/passes.h"
+#include "console/cvar.h"
+#include "refresh/vkpt/gpu/passes.h"
 
 namespace vigil::bench {
 

@@ -5,7 +5,7 @@
 
 #include "client/picture_file.h"
 #include "common/error.h"
-#include "refresh/vkpt/passes.h"
+#include "refresh/vkpt/gpu/passes.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include "bench/option_values.h"
 #include "bench/quality_estimate.h"
-#include "common/cvar.h"
 #include "common/error.h"
+#include "console/cvar.h"
 #include "shared/techniques.h"
 
 #include <algorithm>

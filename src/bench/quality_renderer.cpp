@@ -2,14 +2,14 @@
 #include "bench/quality_renderer.h"
 
 #include "bench/quality_estimate.h"
-#include "common/cvar.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "common/output.h"
 #include "common/stopwatch.h"
+#include "console/cvar.h"
+#include "console/outdir.h"
 #include "refresh/vkpt/gpu/commands.h"
-#include "refresh/vkpt/passes.h"
-#include "refresh/vkpt/shader_library.h"
+#include "refresh/vkpt/gpu/passes.h"
+#include "refresh/vkpt/gpu/shader_library.h"
 
 #include <fmt/format.h>
 
@@ -28,17 +28,6 @@ namespace {
 
 /// pt_seed of a reference's first batch; measured frames have smaller ones.
 constexpr int first_reference_seed = 1 << 30;
-
-/// Variables that choose more than random numbers, number of paths, what is done with finished
-/// radiance, or how surfaces are stored.
-bool changes_reference(std::string_view name) {
-    static constexpr std::string_view others[] = {
-        "pt_nee",           "pt_seed",    "pt_spp",  "pt_accumulate", "pt_exposure",
-        "pt_exposure_bias", "pt_tonemap", "pt_view", "pt_subdivide"}; // the same surfaces in more
-                                                                      // triangles
-    if (name == "fov" || name.starts_with("testlights")) return true;
-    return name.starts_with("pt_") && std::ranges::find(others, name) == std::end(others);
-}
 
 std::filesystem::path folder_of(const QualityOptions& options, const std::string& level) {
     for (const std::filesystem::path& basedir : options.basedirs)
@@ -79,7 +68,7 @@ QualityRenderer::QualityRenderer(const QualityOptions& options, const std::strin
         base_.push_back({name, cvars().get_text(name)});
 
     files_.mount_game(basedir, "baseq2");
-    renderer_ = std::make_unique<vkpt::VkptRenderer>(files_, nullptr);
+    renderer_ = std::make_unique<vkpt::VkptRenderer>(files_, nullptr, cvars().values());
     session_ = std::make_unique<client::Session>(files_, *renderer_, cvars());
     session_->load_map(level);
 
@@ -241,13 +230,12 @@ std::string QualityRenderer::reference_key(const Pose& pose, const QualityRow& r
     };
     const std::string technique = value_of("pt_nee");
     std::string key = fmt::format(
-        "{} {:016x} {}x{} at {} {} {} angles {} {} {} time {} by {} {:016x} paths {}", level_name_,
-        content_hash_, cvars()->vid_width, cvars()->vid_height, pose.origin.x, pose.origin.y,
-        pose.origin.z, pose.angles.x, pose.angles.y, pose.angles.z, pose.time_s, technique,
-        shader_hash(technique), reference_batch_paths);
+        "{} {:016x} at {} {} {} angles {} {} {} time {} by {} {:016x} paths {}", level_name_,
+        content_hash_, pose.origin.x, pose.origin.y, pose.origin.z, pose.angles.x, pose.angles.y,
+        pose.angles.z, pose.time_s, technique, shader_hash(technique), reference_batch_paths);
     key += turned_;
     for (const CvarInfo& info : cvar_infos) {
-        if (!changes_reference(info.name)) continue;
+        if (info.affects != Affects::Reference) continue;
         const std::string value = value_of(info.name);
         if (value != cvar_default_text(info)) key += fmt::format(" {} {}", info.name, value);
     }

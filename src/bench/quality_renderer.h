@@ -25,7 +25,7 @@ inline constexpr int reference_batch_paths = 8;
 /// What was seen of one run's measured frames.
 struct Measurement {
     std::vector<std::vector<float>> pictures; // linear radiance, RGB, rows from the top
-    // Median milliseconds by pass (the order of refresh/vkpt/passes.h) over the second half of the
+    // Median milliseconds by pass (the order of refresh/vkpt/gpu/passes.h) over the second half of the
     // warm-up and the measured frames; 0 where the pass did not run.
     std::vector<double> pass_ms;
     // Median milliseconds from one frame to the next over the second half of the warm-up: what the
@@ -41,7 +41,7 @@ struct Measurement {
 /// What one frame of a flight cost, milliseconds.
 struct FrameCost {
     std::vector<double>
-        pass_ms;           // in the order of refresh/vkpt/passes.h; 0 for those that did not run
+        pass_ms;           // in the order of refresh/vkpt/gpu/passes.h; 0 for those that did not run
     double frame_ms = 0.0; // by the clock of the host
 };
 
@@ -113,7 +113,7 @@ private:
     std::uint64_t content_hash_ = 0; // of the level's file and its materials
 };
 
-/// Number of the pass, from its name in refresh/vkpt/passes.h.
+/// Number of the pass, from its name in refresh/vkpt/gpu/passes.h.
 std::size_t pass_index(std::string_view name);
 
 } // namespace vigil::bench

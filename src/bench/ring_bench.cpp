@@ -9,9 +9,9 @@
 #include "bench/quality_report.h"
 #include "bench/ring_report.h"
 #include "client/commit.h"
-#include "common/cvar.h"
-#include "common/output.h"
 #include "common/progress.h"
+#include "console/cvar.h"
+#include "console/outdir.h"
 
 #include <fmt/format.h>
 

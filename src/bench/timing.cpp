@@ -3,7 +3,7 @@
 
 #include "bench/quality_report.h"
 #include "common/error.h"
-#include "refresh/vkpt/passes.h"
+#include "refresh/vkpt/gpu/passes.h"
 
 #include <fmt/format.h>
 

@@ -56,12 +56,22 @@ RTCRay embree_ray(const shader::Ray& ray) {
 class Caller {
 public:
 #if VIGIL_HAVE_EMBREE >= 4
-    void intersect(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
-    void occlude(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &query); }
+    void intersect(RTCScene scene, RTCRayHit& query) {
+        rtcIntersect1(scene, &query);
+    }
+    void occlude(RTCScene scene, RTCRay& query) {
+        rtcOccluded1(scene, &query);
+    }
 #else
-    Caller() { rtcInitIntersectContext(&context_); }
-    void intersect(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &context_, &query); }
-    void occlude(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &context_, &query); }
+    Caller() {
+        rtcInitIntersectContext(&context_);
+    }
+    void intersect(RTCScene scene, RTCRayHit& query) {
+        rtcIntersect1(scene, &context_, &query);
+    }
+    void occlude(RTCScene scene, RTCRay& query) {
+        rtcOccluded1(scene, &context_, &query);
+    }
 
 private:
     RTCIntersectContext context_;

@@ -3,7 +3,7 @@
 #include "bench/plan.h"
 
 #include "client/preset.h"
-#include "common/cvar.h"
+#include "console/cvar.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Reading the words after a command's name: counts and numbers, with errors a person can act on.
 #pragma once
 
-#include "common/command.h"
+#include "console/command.h"
 
 #include <glm/glm.hpp>
 #include <string_view>

@@ -5,7 +5,7 @@
 #include "client/stick.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "common/output.h"
+#include "console/outdir.h"
 #include "formats/dm2_protocol.h"
 
 #include <algorithm>

@@ -16,10 +16,10 @@
 #include "client/play.h"
 #include "client/screen_stats.h"
 #include "client/session.h"
-#include "common/command.h"
 #include "common/error.h"
 #include "common/progress.h"
 #include "common/stopwatch.h"
+#include "console/command.h"
 #include "platform/window.h"
 
 #include <functional>

@@ -6,8 +6,8 @@
 
 #include "client/command_history.h"
 #include "client/line_editor.h"
-#include "common/command.h"
 #include "common/log.h"
+#include "console/command.h"
 #include "platform/key.h"
 
 #include <deque>

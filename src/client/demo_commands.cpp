@@ -7,8 +7,8 @@
 #include "common/error.h"
 #include "common/game_path.h"
 #include "common/log.h"
-#include "common/output.h"
 #include "common/printable.h"
+#include "console/outdir.h"
 #include "formats/dm2_protocol.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "client/camera.h"
-#include "common/command.h"
+#include "console/command.h"
 
 #include <array>
 #include <set>

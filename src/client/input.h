@@ -8,7 +8,7 @@
 #include "client/console.h"
 #include "client/key_bindings.h"
 #include "client/menu.h"
-#include "common/command.h"
+#include "console/command.h"
 #include "platform/event.h"
 
 #include <utility>

@@ -2,7 +2,7 @@
 // Key bindings and the keys a new player finds.
 #include "client/key_bindings.h"
 
-#include "common/command_text.h"
+#include "console/command_text.h"
 
 #include <fmt/format.h>
 

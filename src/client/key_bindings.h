@@ -4,7 +4,7 @@
 // Quake).
 #pragma once
 
-#include "common/command.h"
+#include "console/command.h"
 #include "platform/key.h"
 
 #include <array>

@@ -173,7 +173,8 @@ StartPlace find_start(const Bsp& bsp) {
     for (const std::string_view wanted : {"info_player_start", "info_player_deathmatch"}) {
         for (const Entity& entity : bsp.entities) {
             if (!equal_nocase(entity.classname(), wanted)) continue;
-            const glm::vec3 eye = entity.get_vec3("origin") + glm::vec3(0.0f, 0.0f, player::standing_eye);
+            const glm::vec3 eye =
+                entity.get_vec3("origin") + glm::vec3(0.0f, 0.0f, player::standing_eye);
             return {eye, entity_angles(entity)};
         }
     }

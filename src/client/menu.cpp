@@ -3,7 +3,7 @@
 
 #include "client/menu_items.h"
 #include "client/preset.h"
-#include "common/command_text.h"
+#include "console/command_text.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "client/key_bindings.h"
-#include "common/command.h"
+#include "console/command.h"
 #include "platform/key.h"
 
 #include <functional>

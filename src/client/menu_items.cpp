@@ -27,7 +27,8 @@ constexpr MenuItem items[] = {
     {MenuItemKind::Variable, "Invert mouse", "m_invert"},
     {MenuItemKind::Variable, "Stick speed", "joy_look"},
     {MenuItemKind::Keys, "Keys", "", "which key does what"},
-    {MenuItemKind::Command, "Console", "toggleconsole", "all variables and commands; its key is ` as well"},
+    {MenuItemKind::Command, "Console", "toggleconsole",
+     "all variables and commands; its key is ` as well"},
     {MenuItemKind::Command, "Quit", "quit", "ends the program"},
 };
 

@@ -3,7 +3,7 @@
 // given.
 #pragma once
 
-#include "common/cvar.h"
+#include "console/cvar.h"
 
 #include <glm/glm.hpp>
 #include <span>

@@ -7,7 +7,7 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "common/output.h"
+#include "console/outdir.h"
 
 namespace vigil::client {
 

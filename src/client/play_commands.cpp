@@ -4,7 +4,7 @@
 #include "client/client.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "common/output.h"
+#include "console/outdir.h"
 
 namespace vigil::client {
 

@@ -3,7 +3,7 @@
 // row of `run bench trade`; docs/trade.md has what it measured.
 #pragma once
 
-#include "common/cvar.h"
+#include "console/cvar.h"
 
 #include <span>
 #include <string_view>

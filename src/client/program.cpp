@@ -4,12 +4,12 @@
 
 #include "client/client.h"
 #include "client/driver_advice.h"
-#include "common/builtin_commands.h"
-#include "common/command_line.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
 #include "common/terminal_log.h"
+#include "console/builtin_commands.h"
+#include "console/command_line.h"
 
 #include <fmt/format.h>
 
@@ -130,7 +130,8 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
         window = make_window(variables);
     }
     Overlay overlay;
-    const std::unique_ptr<refresh::Renderer> renderer = make_renderer(files, window.get());
+    const std::unique_ptr<refresh::Renderer> renderer =
+        make_renderer(files, window.get(), variables.values());
 
     const std::string advice =
         driver_advice(renderer->describe_device(), cache_dir() / "mesa/lvp_icd.json");

@@ -14,7 +14,7 @@ namespace vigil::client {
 
 /// Makes the renderer; `surface` is null when headless. Throws Error.
 using MakeRenderer = std::function<std::unique_ptr<refresh::Renderer>(
-    FileSystem&, refresh::SurfaceProvider* surface)>;
+    FileSystem&, refresh::SurfaceProvider* surface, const refresh::Settings& settings)>;
 
 /// Runs with the words after the program's name. In order: variables set first on the command line;
 /// config.cfg of the user (not when headless, so that pictures and times do not depend on what was

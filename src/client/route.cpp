@@ -4,8 +4,8 @@
 
 #include "client/arguments.h"
 #include "common/ascii_case.h"
-#include "common/command_text.h"
 #include "common/error.h"
+#include "console/command_text.h"
 
 #include <algorithm>
 #include <array>

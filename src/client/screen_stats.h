@@ -4,7 +4,7 @@
 #pragma once
 
 #include "client/recent_times.h"
-#include "common/cvar.h"
+#include "console/cvar.h"
 
 #include <glm/glm.hpp>
 #include <string>

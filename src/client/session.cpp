@@ -11,16 +11,6 @@
 
 namespace vigil::client {
 
-namespace {
-
-/// Variables that a picture depends on; the others (paths, mouse, frame rate) leave it as it is.
-bool shows_in_picture(std::string_view name) {
-    return name.starts_with("pt_") || name.starts_with("testlights") || name == "fov" ||
-           name == "vid_width" || name == "vid_height";
-}
-
-} // namespace
-
 Session::Session(const FileSystem& files, refresh::Renderer& renderer,
                  const CvarRegistry& variables)
     : files_(files), renderer_(renderer), variables_(variables) {}
@@ -28,7 +18,7 @@ Session::Session(const FileSystem& files, refresh::Renderer& renderer,
 void Session::load_map(std::string_view name) {
     const Stopwatch watch;
     std::shared_ptr<const Level> level = vigil::load_level(files_, name);
-    renderer_.load_level(level);
+    renderer_.load_level(level, variables_.values());
     level_ = std::move(level);
 
     const Bsp& bsp = level_->bsp;
@@ -120,6 +110,7 @@ refresh::Frame Session::frame() const {
 
 refresh::Frame Session::frame_at(double time_s) const {
     refresh::Frame frame;
+    frame.settings = variables_.values();
     frame.view = {camera_.origin(), camera_.angles(), variables_->fov};
     frame.time_s = time_s;
     if (played_) {
@@ -155,7 +146,7 @@ refresh::Frame Session::frame_at(double time_s) const {
 Session::Shown Session::present() const {
     Shown now{camera_.origin(), camera_.angles(), scene_changes_, 0};
     for (const CvarInfo& info : cvar_infos) {
-        if (shows_in_picture(info.name)) now.variable_changes += variables_.changes(info.name);
+        if (info.affects != Affects::Nothing) now.variable_changes += variables_.changes(info.name);
     }
     return now;
 }

@@ -11,8 +11,8 @@
 #include "client/played_scene.h"
 #include "client/recent_times.h"
 #include "client/test_lights.h"
-#include "common/cvar.h"
 #include "common/file_system.h"
+#include "console/cvar.h"
 #include "refresh/refresh.h"
 #include "world/level.h"
 

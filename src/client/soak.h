@@ -4,8 +4,8 @@
 // person would; same seed, same words.
 #pragma once
 
-#include "common/cvar.h"
 #include "common/stopwatch.h"
+#include "console/cvar.h"
 
 #include <random>
 #include <string>

@@ -6,7 +6,7 @@
 #include "client/soak_script.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "common/output.h"
+#include "console/outdir.h"
 #include "world/level.h"
 
 namespace vigil::client {

@@ -5,8 +5,8 @@
 #include "client/commit.h"
 #include "client/picture_file.h"
 #include "common/log.h"
-#include "common/output.h"
 #include "common/stopwatch.h"
+#include "console/outdir.h"
 
 #include <nlohmann/json.hpp>
 

@@ -36,7 +36,8 @@ void change_speed(Client& client, float factor) {
 
 platform::Key key_argument(const std::string& name) {
     const std::optional<platform::Key> key = platform::key_from_name(name);
-    if (!key) fail("there is no key \"{}\"; keys are named like w, F5, UPARROW, MOUSE2, PAD_A", name);
+    if (!key)
+        fail("there is no key \"{}\"; keys are named like w, F5, UPARROW, MOUSE2, PAD_A", name);
     return *key;
 }
 

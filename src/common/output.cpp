@@ -2,7 +2,6 @@
 // Output folders and whole-file writes through POSIX.
 #include "common/output.h"
 
-#include "common/cvar.h"
 #include "common/error.h"
 #include "common/game_path.h"
 #include "common/printable.h"
@@ -93,10 +92,6 @@ fs::path output_path(std::string_view outdir, std::string_view name) {
     fs::path path = fs::path(outdir) / name;
     create_folders(path.parent_path());
     return path;
-}
-
-fs::path output_path(std::string_view name) {
-    return output_path(cvars()->outdir, name);
 }
 
 void check_output(const fs::path& path) {

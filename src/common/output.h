@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the program writes: pictures and reports below `outdir`, configuration and caches in the
+// Where the program writes: pictures and reports below one folder, configuration and caches in the
 // XDG base directories (freedesktop.org, XDG Base Directory Specification 0.8). Files appear whole
 // or not at all. Game data is never written.
 #pragma once
@@ -15,9 +15,6 @@ namespace vigil {
 /// are created when missing. Throws Error when the name would leave the folder or a folder cannot
 /// be made.
 std::filesystem::path output_path(std::string_view outdir, std::string_view name);
-
-/// The same below the variable `outdir`.
-std::filesystem::path output_path(std::string_view name);
 
 /// Throws Error now where write_file() could not write `path` later: it is a folder, or its folder
 /// cannot be written to. For names whose file comes after long work.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The renderer's interface: what a frame is (view, entities, dynamic lights, light styles) and what comes
-// back (a picture, linear radiance, times per pass). The client fills a Frame; refresh/vkpt draws it.
-// Nothing here knows Vulkan beyond the opaque handles a window needs to make a surface.
+// The renderer's interface: what a frame is (view, entities, dynamic lights, light styles) and what
+// comes back (a picture, linear radiance, times per pass). The client fills a Frame; refresh/vkpt
+// draws it. Nothing here knows Vulkan beyond the opaque handles a window needs to make a surface.
 #pragma once
+
+#include "refresh/settings.h"
 
 #include <array>
 #include <cstdint>
@@ -25,7 +27,8 @@ struct Level;
 namespace vigil::refresh {
 
 /// The camera. Angles in degrees: pitch (down positive), yaw (counter-clockwise from +x), roll.
-/// `fov` is Quake's: horizontal degrees on a 4:3 screen; wider screens see more (vertical angle kept).
+/// `fov` is Quake's: horizontal degrees on a 4:3 screen; wider screens see more (vertical angle
+/// kept).
 struct View {
     glm::vec3 origin{0.0f};
     glm::vec3 angles{0.0f};
@@ -56,8 +59,8 @@ struct DynamicLight {
     glm::vec3 radiance{0.0f};
 };
 
-/// A thin glowing spindle between two points (a laser); light as from a DynamicLight. `radius` is that of its middle in
-/// map units; `id` stays the same while the beam exists.
+/// A thin glowing spindle between two points (a laser); light as from a DynamicLight. `radius` is
+/// that of its middle in map units; `id` stays the same while the beam exists.
 struct Beam {
     uint32_t id = 0;
     glm::vec3 from{0.0f};
@@ -66,10 +69,10 @@ struct Beam {
     glm::vec3 radiance{0.0f};
 };
 
-/// A torch: a square that emits `radiance` from the bottom of an open black tube, whose mouth is at `origin` and looks
-/// along `angles` (as a View's; roll turns it). `radius` is the tube's. Surfaces within 10 degrees of its axis see the
-/// whole square, beyond 30 degrees none of it. A light as any other, that the tube shades. `id` stays the same while
-/// it exists.
+/// A torch: a square that emits `radiance` from the bottom of an open black tube, whose mouth is at
+/// `origin` and looks along `angles` (as a View's; roll turns it). `radius` is the tube's. Surfaces
+/// within 10 degrees of its axis see the whole square, beyond 30 degrees none of it. A light as any
+/// other, that the tube shades. `id` stays the same while it exists.
 struct Spot {
     uint32_t id = 0;
     glm::vec3 origin{0.0f};
@@ -78,12 +81,13 @@ struct Spot {
     glm::vec3 radiance{0.0f};
 };
 
-/// A spark or drop: a small triangle that faces the camera. It shows to the camera with the radiance `color` *
-/// particle_radiance and casts a shadow, but lights nothing: it is too small to matter, and there are many.
+/// A spark or drop: a small triangle that faces the camera. It shows to the camera with the
+/// radiance `color` * particle_radiance and casts a shadow, but lights nothing: it is too small to
+/// matter, and there are many.
 struct Particle {
     glm::vec3 origin{0.0f};
-    float size = 1.0f;      // from the middle to the corners, in map units
-    glm::vec3 color{1.0f};  // linear, 0..1; there should be few different ones
+    float size = 1.0f;     // from the middle to the corners, in map units
+    glm::vec3 color{1.0f}; // linear, 0..1; there should be few different ones
 };
 
 /// Radiance that stands for what the first Quake II draws at full brightness (docs/units.md).
@@ -93,6 +97,7 @@ inline constexpr float particle_radiance = 20.0f;
 inline constexpr int light_style_count = 256;
 
 struct Frame {
+    Settings settings;
     View view;
     double time_s = 0.0; // drives warping, scrolling and animated textures
     std::span<const Entity> entities;
@@ -139,8 +144,8 @@ struct FrameCount {
     double value = 0.0;
 };
 
-/// What was measured in one frame: GPU times in the order of its passes (empty on devices without timestamps), and
-/// what guiding counted (empty while it is off).
+/// What was measured in one frame: GPU times in the order of its passes (empty on devices without
+/// timestamps), and what guiding counted (empty while it is off).
 struct FrameTimes {
     uint64_t frame = 0; // as Renderer::render returned it
     std::vector<PassTime> passes;
@@ -166,8 +171,8 @@ struct Compilation {
 class CompilationWatcher {
 public:
     virtual ~CompilationWatcher() = default;
-    /// What is drawn over the last picture meanwhile; may be null. The last time it takes the place of
-    /// Frame::overlay. An Error that it throws ends render(), and no other may follow.
+    /// What is drawn over the last picture meanwhile; may be null. The last time it takes the place
+    /// of Frame::overlay. An Error that it throws ends render(), and no other may follow.
     virtual ImDrawData* compiling(const Compilation& state) = 0;
 };
 
@@ -187,19 +192,22 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
 
-    /// Uploads a level: geometry, materials, lights. Forgets all models of the level before. Throws Error and then
-    /// keeps the level before. Random numbers start anew: the same frames after it are the same pictures.
-    virtual void load_level(std::shared_ptr<const Level> level) = 0;
+    /// Uploads a level: geometry, materials, lights. Forgets all models of the level before. Throws
+    /// Error and then keeps the level before. Random numbers start anew: the same frames after it
+    /// are the same pictures.
+    virtual void load_level(std::shared_ptr<const Level> level, const Settings& settings) = 0;
 
     /// Handle of "*3" (brush model), "models/x.md2" or "models/x.glb"; loads it on first use.
     /// Throws Error naming the file and the fault.
     virtual ModelHandle register_model(std::string_view name) = 0;
 
-    /// Renders one frame and, with a window, presents it. Settings come from the cvars. Does nothing visible
-    /// before a level is loaded (the overlay still shows). Returns the frame's number, counted from 0.
+    /// Renders one frame and, with a window, presents it. Does nothing visible
+    /// before a level is loaded (the overlay still shows). Returns the frame's number, counted from
+    /// 0.
     virtual uint64_t render(const Frame& frame) = 0;
 
-    /// Who is told while render() waits for a compiler; null: nobody. It must outlive the renderer, or be taken back.
+    /// Who is told while render() waits for a compiler; null: nobody. It must outlive the renderer,
+    /// or be taken back.
     virtual void watch_compilation(CompilationWatcher* /*watcher*/) {}
     /// Whether shaders are being compiled; that cannot be broken off.
     virtual bool compiling() const { return false; }
@@ -209,8 +217,8 @@ public:
     /// The last frame's radiance; averaged over frames while pt_accumulate is on.
     virtual RadiancePicture read_radiance() = 0;
 
-    /// Times of the frames that the GPU has finished since the last call, oldest first, without waiting; with
-    /// `wait`, of all frames rendered so far. At most the last 1,024 are kept.
+    /// Times of the frames that the GPU has finished since the last call, oldest first, without
+    /// waiting; with `wait`, of all frames rendered so far. At most the last 1,024 are kept.
     virtual std::vector<FrameTimes> take_frame_times(bool wait) = 0;
 
     /// Waits for the device.
@@ -219,20 +227,25 @@ public:
     virtual std::string describe_scene() const = 0;
     /// Text of one line: device and driver.
     virtual std::string describe_device() const = 0;
-    /// Text of `guiding`: the memory that octree and light caches take, by buffer; or that guiding is off.
+    /// Text of `guiding`: the memory that octree and light caches take, by buffer; or that guiding
+    /// is off.
     virtual std::string describe_guiding() const = 0;
-    /// Text of `vlcinfo`: the octree's leaf under the middle of the last frame, and its light cache; or why there is none.
+    /// Text of `vlcinfo`: the octree's leaf under the middle of the last frame, and its light
+    /// cache; or why there is none.
     virtual std::string describe_leaf() const = 0;
     /// Text of `cdqinfo`: the directional quadtree of that leaf; or why there is none.
     virtual std::string describe_directions() const = 0;
-    /// Forgets what frames have taught, octree and light caches first of all: the next frame learns anew.
+    /// Forgets what frames have taught, octree and light caches first of all: the next frame learns
+    /// anew.
     virtual void reset_guiding() = 0;
-    /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures); docs/export.md has units.
+    /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures);
+    /// docs/export.md has units.
     virtual void export_scene(const Frame& frame, const std::string& path) = 0;
 };
 
-/// Makes the Vulkan path tracer. `surface` may be null (headless: pictures of vid_width x vid_height). Throws Error that
-/// says which package to install when there is no Vulkan driver.
-std::unique_ptr<Renderer> make_vkpt_renderer(FileSystem& files, SurfaceProvider* surface);
+/// Makes the Vulkan path tracer. `surface` may be null (headless: pictures of vid_width x
+/// vid_height). Throws Error that says which package to install when there is no Vulkan driver.
+std::unique_ptr<Renderer> make_vkpt_renderer(FileSystem& files, SurfaceProvider* surface,
+                                             const Settings& settings);
 
 } // namespace vigil::refresh

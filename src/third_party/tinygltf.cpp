@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The body of tinygltf, where the system has no library of it (cmake/ThirdParty.cmake). Pictures are decoded by a body of
-// stb_image of its own, which no other file sees.
+// The body of tinygltf, where the system has no library of it (cmake/ThirdParty.cmake). Pictures
+// are decoded by a body of stb_image of its own, which no other file sees.
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb/stb_image.h>

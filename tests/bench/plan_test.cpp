@@ -4,10 +4,10 @@
 #include "bench/plan.h"
 #include "bench/plan_csv.h"
 #include "client/preset.h"
-#include "common/cvar.h"
 #include "common/error.h"
 #include "common/output.h"
 #include "common/scratch_folder.h"
+#include "console/cvar.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include "bench/plan.h"
 
-#include "common/cvar.h"
 #include "common/error.h"
+#include "console/cvar.h"
 
 #include <gtest/gtest.h>
 

@@ -71,10 +71,11 @@ TEST(TrimmedError, IsWithoutTheReferencesVarianceAsTheWholeErrorIs) {
         const double whole = total / static_cast<double>(values) - reference.mean_variance();
         const double trimmed =
             (total - largest) / static_cast<double>(values - 3) - error.trimmed_variance;
-        difference = std::max({difference, std::abs(error.mse - whole),
-                               std::abs(error.trimmed_mse - trimmed)});
+        difference = std::max(
+            {difference, std::abs(error.mse - whole), std::abs(error.trimmed_mse - trimmed)});
         sum += error.trimmed_mse;
-        EXPECT_NEAR(error.trimmed_variance, reference.mean_variance(), 0.01 * deviation * deviation);
+        EXPECT_NEAR(error.trimmed_variance, reference.mean_variance(),
+                    0.01 * deviation * deviation);
     }
     EXPECT_LT(difference, 1e-9);
     EXPECT_NEAR(sum / experiments, deviation * deviation, 0.05 * deviation * deviation);

@@ -19,8 +19,9 @@ protected:
     /// Small pictures of the project's own levels.
     int run(const std::string& text) {
         return run_program_on(VIGIL_SOURCE_DIR, "+set vid_width 96 +set vid_height 54 " + text,
-                              [](FileSystem& files, refresh::SurfaceProvider* surface) {
-                                  return refresh::make_vkpt_renderer(files, surface);
+                              [](FileSystem& files, refresh::SurfaceProvider* surface,
+                                 const refresh::Settings& settings) {
+                                  return refresh::make_vkpt_renderer(files, surface, settings);
                               });
     }
 

@@ -5,7 +5,7 @@
 #include "client/demo_player.h"
 #include "client/demo_recorder.h"
 #include "client/route.h"
-#include "common/cvar.h"
+#include "console/cvar.h"
 #include "fake_renderer.h"
 #include "formats/dm2_protocol.h"
 #include "formats/real_levels.h"
@@ -26,10 +26,11 @@ class DemoTest : public ProgramRun {
 protected:
     int run(const std::string& text) {
         render_ = {};
-        return run_program_on(game_.basedir(), text,
-                              [this](FileSystem&, refresh::SurfaceProvider*) {
-                                  return std::make_unique<FakeRenderer>(render_);
-                              });
+        return run_program_on(
+            game_.basedir(), text,
+            [this](FileSystem&, refresh::SurfaceProvider*, const refresh::Settings&) {
+                return std::make_unique<FakeRenderer>(render_);
+            });
     }
 
     void write_demo(std::string_view name, const std::vector<uint8_t>& bytes) {

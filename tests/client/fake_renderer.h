@@ -47,7 +47,7 @@ class FakeRenderer final : public refresh::Renderer {
 public:
     explicit FakeRenderer(RenderLog& log) : log_(log) {}
 
-    void load_level(std::shared_ptr<const Level> level) override {
+    void load_level(std::shared_ptr<const Level> level, const refresh::Settings&) override {
         log_.calls.push_back("map " + level->name);
         level_ = std::move(level);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Keys, bindings and where events go.
 #include "client/client.h"
-#include "common/builtin_commands.h"
+#include "console/builtin_commands.h"
 
 #include <gtest/gtest.h>
 

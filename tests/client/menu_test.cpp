@@ -2,7 +2,7 @@
 // The menu by its keys: pages, values, keys of actions; and the lines of scr_stats.
 #include "client/client.h"
 #include "client/menu_items.h"
-#include "common/builtin_commands.h"
+#include "console/builtin_commands.h"
 
 #include <gtest/gtest.h>
 

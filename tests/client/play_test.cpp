@@ -134,9 +134,11 @@ TEST_F(PlayTest, FlightKeepsTheEyeAndWalkingReturnsToIt) {
 class PlayCommands : public ProgramRun {
 protected:
     int run(const std::string& basedir, const std::string& text) {
-        return run_program_on(basedir, text, [this](FileSystem&, refresh::SurfaceProvider*) {
-            return std::make_unique<FakeRenderer>(render_);
-        });
+        return run_program_on(
+            basedir, text,
+            [this](FileSystem&, refresh::SurfaceProvider*, const refresh::Settings&) {
+                return std::make_unique<FakeRenderer>(render_);
+            });
     }
     RenderLog render_;
 };

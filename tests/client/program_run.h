@@ -4,8 +4,8 @@
 #pragma once
 
 #include "client/program.h"
-#include "common/cvar.h"
 #include "common/log.h"
+#include "console/cvar.h"
 #include "test_game.h"
 
 #include <gtest/gtest.h>

@@ -19,11 +19,12 @@ namespace {
 class ProgramTest : public ProgramRun {
 protected:
     int run(const std::string& text) {
-        return run_program_on(game_.basedir(), text,
-                              [this](FileSystem&, refresh::SurfaceProvider* surface) {
-                                  EXPECT_EQ(surface, nullptr);
-                                  return std::make_unique<FakeRenderer>(render_);
-                              });
+        return run_program_on(
+            game_.basedir(), text,
+            [this](FileSystem&, refresh::SurfaceProvider* surface, const refresh::Settings&) {
+                EXPECT_EQ(surface, nullptr);
+                return std::make_unique<FakeRenderer>(render_);
+            });
     }
 
     RenderLog render_;
@@ -185,8 +186,8 @@ TEST_F(ProgramTest, AMissingRendererEndsWithItsMessage) {
     const std::string basedir = game_.basedir();
     const std::vector<const char*> words{"+set", "basedir",    basedir.c_str(),
                                          "+set", "vid_driver", "headless"};
-    const MakeRenderer none = [](FileSystem&,
-                                 refresh::SurfaceProvider*) -> std::unique_ptr<refresh::Renderer> {
+    const MakeRenderer none = [](FileSystem&, refresh::SurfaceProvider*,
+                                 const refresh::Settings&) -> std::unique_ptr<refresh::Renderer> {
         fail("install a driver");
     };
     EXPECT_EQ(run_program(words, none), 1);

@@ -2,7 +2,7 @@
 // The client in a window that exists only here: what sticks, mouse and keys do to eye, line and
 // window, frame by frame.
 #include "client/client.h"
-#include "common/builtin_commands.h"
+#include "console/builtin_commands.h"
 #include "fake_renderer.h"
 #include "test_game.h"
 

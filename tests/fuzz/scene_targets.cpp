@@ -33,7 +33,8 @@ bool finite(const glm::vec2& v) {
 
 void check_geometry(const ModelGeometry& geometry, const Level& level,
                     const MaterialSet& materials) {
-    require(geometry.primitives.size() == geometry.triangles.size(), "a triangle without primitive");
+    require(geometry.primitives.size() == geometry.triangles.size(),
+            "a triangle without primitive");
     for (const BvhInputTriangle& triangle : geometry.triangles)
         require(finite(triangle.v0) && finite(triangle.v1) && finite(triangle.v2) &&
                     triangle.coverage <= 255,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one table of fuzz targets: every parser of bytes that come from outside, and what is built
 // from them. CMake makes a
-// libFuzzer program fuzz_NAME of each row (it reads this text), and a row needs a function fuzz_NAME
-// in one of the files *_targets.cpp; nothing else lists them.
+// libFuzzer program fuzz_NAME of each row (it reads this text), and a row needs a function
+// fuzz_NAME in one of the files *_targets.cpp; nothing else lists them.
 #ifndef VIGIL_FUZZ_TARGET_TABLE_H
 #define VIGIL_FUZZ_TARGET_TABLE_H
 

@@ -279,19 +279,21 @@ VKAPI_ATTR void VKAPI_CALL copy_image_to_buffer(VkCommandBuffer commands, VkImag
                                                                   count, regions);
 }
 
-VKAPI_ATTR void VKAPI_CALL pipeline_barrier(
-    VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to,
-    VkDependencyFlags flags, uint32_t memory_count, const VkMemoryBarrier* memory,
-    uint32_t buffer_count, const VkBufferMemoryBarrier* buffers, uint32_t image_count,
-    const VkImageMemoryBarrier* images) {
+VKAPI_ATTR void VKAPI_CALL pipeline_barrier(VkCommandBuffer commands, VkPipelineStageFlags from,
+                                            VkPipelineStageFlags to, VkDependencyFlags flags,
+                                            uint32_t memory_count, const VkMemoryBarrier* memory,
+                                            uint32_t buffer_count,
+                                            const VkBufferMemoryBarrier* buffers,
+                                            uint32_t image_count,
+                                            const VkImageMemoryBarrier* images) {
     {
         const std::lock_guard lock(guard);
         for (uint32_t i = 0; i < memory_count; ++i)
             host_copies.barrier(commands, from, to, memory[i]);
     }
-    next_of<PFN_vkCmdPipelineBarrier>("vkCmdPipelineBarrier")(
-        commands, from, to, flags, memory_count, memory, buffer_count, buffers, image_count,
-        images);
+    next_of<PFN_vkCmdPipelineBarrier>("vkCmdPipelineBarrier")(commands, from, to, flags,
+                                                              memory_count, memory, buffer_count,
+                                                              buffers, image_count, images);
 }
 
 VKAPI_ATTR void VKAPI_CALL destroy_device(VkDevice device, const VkAllocationCallbacks* allocator) {
@@ -323,8 +325,7 @@ struct Entry {
 };
 
 #define ENTRY(call, kind)                                                                          \
-    {#call,                                                                                        \
-     reinterpret_cast<PFN_vkVoidFunction>(Gate<name_##call, kind_##call, PFN_##call>::pass)},
+    {#call, reinterpret_cast<PFN_vkVoidFunction>(Gate<name_##call, kind_##call, PFN_##call>::pass)},
 #define DESTROY_ENTRY(call, kind)                                                                  \
     {#call, reinterpret_cast<PFN_vkVoidFunction>(                                                  \
                 DestroyGate<name_##call, kind_##call, PFN_##call>::pass)},

@@ -18,7 +18,7 @@ struct Shared {
     Shared()
         : device(test::validated(), nullptr), compiler(device, {}),
           guiding(device, compiler, 2), slots{gpu::FrameCommands(device),
-                                             gpu::FrameCommands(device)} {}
+                                              gpu::FrameCommands(device)} {}
     gpu::Device device;
     gpu::PipelineCompiler compiler; // its cache is kept nowhere
     vkpt::Guiding guiding;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Asks guiding/octree.glsl, as the path tracer does, for the leaves of surfaces, and stores one light
 // sample for each. Answers are the leaf of the cache and the leaf of the sample; there are as many as
-// paths (pathtrace/frame.glsl).
+// paths (scene/frame.glsl).
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/octree.glsl"
+#include "scene/surface.glsl"
 #include "lookup_query.h"
 
 layout(local_size_x = 64) in;
@@ -20,7 +21,7 @@ void main() {
     Surface surface;
     surface.position = query.position;
     surface.instance = query.instance;
-    const SurfaceLeaves found = find_leaves(surface);
+    const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     store_light_sample(found.samples, query.light | (query.visible != 0u ? LIGHT_SAMPLE_VISIBLE : 0u));
     answers[index] = uvec2(found.cache, found.samples);
 }

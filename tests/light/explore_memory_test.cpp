@@ -27,8 +27,10 @@ double best_share(const Leaf& leaf) {
     double low = 1e-6, high = 1.0 - 1e-6;
     for (int i = 0; i < 200; ++i) { // a convex function
         const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-        if (second_moment(leaf, a) < second_moment(leaf, b)) high = b;
-        else low = a;
+        if (second_moment(leaf, a) < second_moment(leaf, b))
+            high = b;
+        else
+            low = a;
     }
     return 0.5 * (low + high);
 }
@@ -36,7 +38,8 @@ double best_share(const Leaf& leaf) {
 /// The memory after a frame with `listed` draws from lists.
 ExploreMemory after_frame(const ExploreMemory& memory, const Leaf& leaf, float listed) {
     const auto seen = static_cast<uint>(std::lround(leaf.seen_share * (drawn + 1))) - 1u;
-    return explore_update(memory, listed, listed * static_cast<float>(leaf.cached / leaf.seen_share),
+    return explore_update(memory, listed,
+                          listed * static_cast<float>(leaf.cached / leaf.seen_share),
                           listed * static_cast<float>(leaf.others), drawn, seen);
 }
 

@@ -356,8 +356,7 @@ TEST(LightLists, TakeNoMoreMemoryThanTheirLimits) {
     const LightLister lister(bsp, Pvs(bsp));
     std::vector<LightTriangle> lights;
     for (uint32_t id = 0; id < 8192; ++id)
-        lights.push_back(
-            speck({static_cast<float>(id % count) + 0.5f, 0, 0}, {0, 0, 1}, id, 0.1f));
+        lights.push_back(speck({static_cast<float>(id % count) + 0.5f, 0, 0}, {0, 0, 1}, id, 0.1f));
     constexpr int64_t small = 1 << 19; // sets of bits for all lights would be 1 MiB
     LightListLimits limits;
     limits.kept_words = 1 << 16;
@@ -514,10 +513,11 @@ TEST_P(RealLevelLights, ListsHoldWhatIsSeenAndLittleElse) {
     EXPECT_EQ(list(lists, pvs_.cluster_count()), all);
     EXPECT_EQ(lists.refused, "");
     EXPECT_LT(lists.steps, 8 * pairs) << "it looks at what it lists, and little else";
-    std::printf("%s: %zu lights, %u clusters, %llu pairs, %zu ids stored, %u in walls, %llu steps\n",
-                GetParam(), lights.size(), pvs_.cluster_count(),
-                static_cast<unsigned long long>(lists.pair_count), lists.ids.size(), lists.unplaced,
-                static_cast<unsigned long long>(lists.steps));
+    std::printf(
+        "%s: %zu lights, %u clusters, %llu pairs, %zu ids stored, %u in walls, %llu steps\n",
+        GetParam(), lights.size(), pvs_.cluster_count(),
+        static_cast<unsigned long long>(lists.pair_count), lists.ids.size(), lists.unplaced,
+        static_cast<unsigned long long>(lists.steps));
 }
 
 TEST_P(RealLevelLights, ListsAreTheSameWithoutRoomForBitSets) {

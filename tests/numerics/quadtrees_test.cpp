@@ -130,9 +130,9 @@ TEST(Quadtrees, SharesOfZeroAndOne) {
             for (const float other : {0.0f, 1.1e-7f, 0.318f, 3.7e30f}) {
                 ASSERT_EQ(cdq_mixture_pdf(bits, depth, direction, other, 0.0f), pdf);
                 ASSERT_EQ(cdq_mixture_pdf(bits, depth, direction, other, 1.0f), other);
-                error.add(relative_error(
-                    double(cdq_mixture_pdf(bits, depth, direction, other, 0.25f)),
-                    0.75 * double(pdf) + 0.25 * double(other)));
+                error.add(
+                    relative_error(double(cdq_mixture_pdf(bits, depth, direction, other, 0.25f)),
+                                   0.75 * double(pdf) + 0.25 * double(other)));
             }
         }
     }

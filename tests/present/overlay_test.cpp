@@ -4,8 +4,8 @@
 // rebuilt fonts. The look of widgets is ImGui's own business.
 #include "refresh/vkpt/overlay.h"
 
-#include "refresh/vkpt/gpu/commands.h"
 #include "gpu/validated.h"
+#include "refresh/vkpt/gpu/commands.h"
 #include "validation_text.h"
 
 #include <array>

@@ -130,8 +130,8 @@ void check_structure(const Triangles& triangles) {
     for (std::size_t slot = 0; slot < seen.size(); ++slot) {
         // Triangles without area may be left out of the count: they look like an empty leaf.
         const shader::BvhTriangle& triangle = bvh_triangles[slot];
-        const bool degenerate = triangle.e1 == glm::vec3(0.0f) ||
-                                triangle.e2 == glm::vec3(0.0f) || triangle.e1 == triangle.e2;
+        const bool degenerate = triangle.e1 == glm::vec3(0.0f) || triangle.e2 == glm::vec3(0.0f) ||
+                                triangle.e1 == triangle.e2;
         EXPECT_TRUE(seen[slot] == 1 || (degenerate && seen[slot] == 0)) << slot;
     }
     EXPECT_LE(bvh_nodes.size(), max_bvh_words(triangles.size()));

@@ -167,8 +167,7 @@ TEST_F(Analytic, SquareLampOverAFloor) {
                        form_factor(-32 - p.x, 32 - p.x, -32 - p.y, 32 - p.y, 128);
             });
         judge(info.name, seen, expected,
-              brute ? Bounds{.everywhere = 0.02, .five_blocks = 0.2}
-                    : Bounds{.everywhere = 0.003});
+              brute ? Bounds{.everywhere = 0.02, .five_blocks = 0.2} : Bounds{.everywhere = 0.003});
     }
 }
 

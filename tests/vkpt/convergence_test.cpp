@@ -17,8 +17,8 @@ namespace vigil::test {
 namespace {
 
 struct Plan {
-    int brute_paths = 96;      // paths per pixel and batch
-    int paths = 32;            // the same of the others
+    int brute_paths = 96; // paths per pixel and batch
+    int paths = 32;       // the same of the others
     /// Against brute force, whose noise is the larger part.
     Bounds bounds{.everywhere = 0.015, .quadrant = 0.08, .five_blocks = 0.35, .blocks = 41};
     /// Against the first technique: a bias of one technique alone. Of five blocks the larger one of
@@ -26,11 +26,10 @@ struct Plan {
     Bounds between{.everywhere = 0.01, .blocks = 41};
 };
 /// Where most of the light and of the noise is the sky's, which all techniques find by chance.
-const Plan under_the_sky{
-    96,
-    96,
-    {.everywhere = 0.03, .quadrant = 0.12, .five_blocks = 0.35, .blocks = 41},
-    {.everywhere = 0.02, .quadrant = 0.08, .five_blocks = 0.25, .blocks = 41}};
+const Plan under_the_sky{96,
+                         96,
+                         {.everywhere = 0.03, .quadrant = 0.12, .five_blocks = 0.35, .blocks = 41},
+                         {.everywhere = 0.02, .quadrant = 0.08, .five_blocks = 0.25, .blocks = 41}};
 constexpr int brute_batches = 32, sampled_batches = 16, block = 4;
 
 /// VIGIL_TEST_PATHS=10 traces ten times as many paths, to look for smaller biases by hand.
@@ -216,7 +215,7 @@ protected:
             shader::FrameParams frame = params(shot);
             turn_sun(frame, number);
             frame.frame = static_cast<uint32_t>(number);
-            frame.cvars.pt_seed = seed;
+            frame.settings.pt_seed = seed;
             const std::vector<float> picture = trace(frame, renderer().scene()->features(), paths);
             if (number < first_judged) continue;
             mean.resize(picture.size(), 0.0f);

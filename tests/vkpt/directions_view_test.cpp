@@ -218,7 +218,7 @@ TEST_F(DirectionsView, MapHoldsWhatIndirectRaysBring) {
     // So narrow a view that all pixels see the point under the crosshair: each traces it.
     set_size(16, 16);
     shot_.view.fov = 0.01f;
-    constexpr int batch_count = 24;
+    constexpr int batch_count = 48;
     for (const char* technique : {"vlc", "brute"}) {
         set("pt_nee", technique);
         const bool learns = std::string_view(technique) == "vlc";

@@ -205,11 +205,10 @@ TEST_F(Features, ABrokenLevelOrModelLeavesTheOneBefore) {
     const uint64_t nodes =
         renderer().device().features().max_storage_buffer_bytes / sizeof(shader::BspTreeNode) + 1;
     if (nodes < 30'000'000) {
-        EXPECT_THROW(load("rooms",
-                          [&](Level& level) {
-                              level.bsp.nodes.resize(nodes, level.bsp.nodes.front());
-                          }),
-                     Error);
+        EXPECT_THROW(
+            load("rooms",
+                 [&](Level& level) { level.bsp.nodes.resize(nodes, level.bsp.nodes.front()); }),
+            Error);
         EXPECT_EQ(picture(), before);
     }
     EXPECT_NE(renderer().describe_scene().find("lamp"), std::string::npos);

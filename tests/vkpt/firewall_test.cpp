@@ -84,7 +84,7 @@ TEST_F(Firewall, CountsShowsAndStopsWhatTheSkyBrings) {
         EXPECT_EQ(events(), 0u);
         EXPECT_EQ(marked(), 0u);
         shader::FrameParams frame = params(court());
-        frame.cvars.pt_view = shader::VIEW_NONFINITE;
+        frame.settings.pt_view = shader::VIEW_NONFINITE;
         frame.sky_radiance = glm::vec3(planted);
         const std::vector<float> mean = trace(frame, renderer().scene()->features(), 2);
         EXPECT_TRUE(all_sound(mean));

@@ -146,10 +146,10 @@ void judge_differences(std::string_view label, std::span<const double> differenc
         squares += (difference - mean) * (difference - mean);
     const double error = std::sqrt(squares / (n * (n - 1.0)));
     const auto score = [&](double of) { return score_of_t(of / error, n - 1.0); };
-    const std::string line = fmt::format(
-        "{}: {:+.2f}% +- {:.2f}% (score {:+.2f}; from {:.2f}% it is found)", label,
-        100.0 * mean / level, 100.0 * error / level, score(mean),
-        100.0 * score_limit * error / level);
+    const std::string line =
+        fmt::format("{}: {:+.2f}% +- {:.2f}% (score {:+.2f}; from {:.2f}% it is found)", label,
+                    100.0 * mean / level, 100.0 * error / level, score(mean),
+                    100.0 * score_limit * error / level);
     std::cout << line << '\n';
     EXPECT_GT(level, 0.0) << line;
     EXPECT_LT(std::abs(score(mean)), score_limit) << line;

@@ -3,10 +3,10 @@
 // biased ones and such as are too noisy to tell.
 #include "judge.h"
 
-#include <gtest/gtest-spi.h>
-#include <gtest/gtest.h>
 #include <cmath>
 #include <functional>
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
 #include <random>
 
 namespace vigil::test {
@@ -23,8 +23,8 @@ PictureBatches noisy(double noise, int batches, std::uint32_t seed) {
     std::vector<float> rgb(3 * width * height);
     for (int batch = 0; batch < batches; ++batch) {
         for (std::size_t i = 0; i < rgb.size(); ++i)
-            rgb[i] = (1.0f + 0.5f * std::sin(0.05f * static_cast<float>(i))) *
-                     (1.0f + normal(random));
+            rgb[i] =
+                (1.0f + 0.5f * std::sin(0.05f * static_cast<float>(i))) * (1.0f + normal(random));
         result.add(rgb);
     }
     return result;

@@ -51,7 +51,7 @@ void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
     const bool counts = path_index == 1u;
     const bool chooses = path_index != 3u;
     Random random = random_begin(pixel, gl_GlobalInvocationID.z + path_index * STREAMS_APART,
-                                 uint(frame.cvars.pt_seed));
+                                 uint(frame.settings.pt_seed));
     uint first = 0u;
     uint end = path_count;
     if (!chooses) {

@@ -96,7 +96,7 @@ protected:
         std::vector<double> mean;
         shader::FrameParams frame = params(shot);
         for (int i = 0; i < pictures; ++i) {
-            frame.cvars.pt_seed = 100000 + i;
+            frame.settings.pt_seed = 100000 + i;
             const std::vector<float> picture =
                 trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths));
             mean.resize(picture.size(), 0.0);

@@ -106,10 +106,11 @@ TEST(PictureComparison, FindsAWrongRegionThatNoOtherScoreSees) {
 TEST(PictureComparison, RegionsAreAsQuietAsTold) {
     int beyond = 0;
     for (std::uint32_t seed = 0; seed < 1000; ++seed)
-        beyond += compare(even_pictures(0.02, 2 * seed), even_pictures(0.02, 2 * seed + 1), 0)
-                          .region_z > 3.0
-                      ? 1
-                      : 0;
+        beyond +=
+            compare(even_pictures(0.02, 2 * seed), even_pictures(0.02, 2 * seed + 1), 0).region_z >
+                    3.0
+                ? 1
+                : 0;
     EXPECT_LE(beyond, 6);
 }
 

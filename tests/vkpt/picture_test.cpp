@@ -187,7 +187,7 @@ TEST_F(PictureTest, SameSeedSamePicture) {
     const vkpt::SceneFeatures features = renderer().scene()->features();
     const std::vector<float> once = trace(frame, features, 2), again = trace(frame, features, 2);
     EXPECT_EQ(once, again);
-    frame.cvars.pt_seed = 1;
+    frame.settings.pt_seed = 1;
     EXPECT_NE(once, trace(frame, features, 2));
 }
 

@@ -47,7 +47,8 @@ public:
         shared->files.mount_game(std::filesystem::path(VIGIL_SOURCE_DIR) / "tests" / "data",
                                  "baseq2");
         cvars().set("vk_validation", std::to_string(validation()));
-        shared->renderer = std::make_unique<vkpt::VkptRenderer>(shared->files, nullptr);
+        shared->renderer =
+            std::make_unique<vkpt::VkptRenderer>(shared->files, nullptr, cvars().values());
     }
     void TearDown() override { shared.reset(); }
 };
@@ -58,6 +59,7 @@ const auto* const environment = testing::AddGlobalTestEnvironment(new DeviceEnvi
 
 refresh::Frame Shot::frame() const {
     refresh::Frame frame;
+    frame.settings = cvars().values();
     frame.view = view;
     frame.entities = entities;
     frame.dynamic_lights = dynamic_lights;
@@ -108,7 +110,7 @@ void RenderTest::load(std::string_view name, const Edit& edit) {
     auto changed = std::make_shared<Level>(*load_level(files(), name));
     if (edit) edit(*changed);
     level_ = changed;
-    renderer().load_level(level_);
+    renderer().load_level(level_, cvars().values());
 }
 
 refresh::RadiancePicture RenderTest::radiance(const Shot& shot) {
@@ -122,7 +124,7 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
     learn(shot, frames_to_learn);
     shader::FrameParams frame = params(shot);
     for (int batch = 0; batch < batches; ++batch) {
-        frame.cvars.pt_seed = seed + batch;
+        frame.settings.pt_seed = seed + batch;
         result.add(trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths)));
     }
     return result;
@@ -153,7 +155,7 @@ shader::GuidingWork RenderTest::adapt(gpu::FrameCommands& commands) {
 
 shader::FrameParams RenderTest::params(const Shot& shot) {
     shader::FrameParams params{};
-    params.cvars = cvars().gpu_values();
+    params.settings = gpu_settings(cvars().values());
     vkpt::set_camera(params, shot.view, renderer().path_tracer().size());
     vkpt::set_scene(params, *renderer().scene());
     params.time_s = static_cast<float>(shot.time_s);

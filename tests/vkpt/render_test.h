@@ -4,8 +4,8 @@
 // value that was not finite.
 #pragma once
 
-#include "common/cvar.h"
 #include "common/file_system.h"
+#include "console/cvar.h"
 #include "judge.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/renderer.h"

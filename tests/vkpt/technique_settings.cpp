@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "technique_settings.h"
 
-#include "common/cvar.h"
+#include "console/cvar.h"
 #include "shared/techniques.h"
 
 namespace vigil::test {

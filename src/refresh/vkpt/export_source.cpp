@@ -145,8 +145,8 @@ ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& param
         }
     }
     if (scene.features().sun)
-        out.sun = ExportSun{sky.sun_direction, sky.sun_irradiance * params.cvars.pt_sun_scale,
-                            params.cvars.pt_sun_size};
+        out.sun = ExportSun{sky.sun_direction, sky.sun_irradiance * params.settings.pt_sun_scale,
+                            params.settings.pt_sun_size};
     const float tan_right = glm::length(params.camera_right);
     const float tan_up = glm::length(params.camera_up);
     out.camera.origin = params.camera_origin;

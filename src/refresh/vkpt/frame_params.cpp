@@ -20,17 +20,17 @@ void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uve
 }
 
 void set_scene(shader::FrameParams& params, const Scene& scene) {
-    const GpuCvars& cvars = params.cvars;
+    const GpuSettings& settings = params.settings;
     const SkyDescription& sky = scene.sky();
     params.light_count = static_cast<uint32_t>(scene.lights().lights().size());
     params.sky_texture = sky.texture.value_or(shader::NONE);
-    params.sky_radiance = sky.radiance * cvars.pt_sky_scale;
+    params.sky_radiance = sky.radiance * settings.pt_sky_scale;
     params.sun_direction = sky.sun_direction;
-    params.sun_size = shader::cone_size(0.5f * glm::radians(cvars.pt_sun_size));
+    params.sun_size = shader::cone_size(0.5f * glm::radians(settings.pt_sun_size));
     // A disc of radiance L and half angle a lights a surface that faces it with L * pi * sin(a)^2.
-    const float half_sine = std::sin(0.5f * glm::radians(cvars.pt_sun_size));
+    const float half_sine = std::sin(0.5f * glm::radians(settings.pt_sun_size));
     params.sun_radiance =
-        sky.sun_irradiance * (cvars.pt_sun_scale / (shader::PI * half_sine * half_sine));
+        sky.sun_irradiance * (settings.pt_sun_scale / (shader::PI * half_sine * half_sine));
 }
 
 } // namespace vigil::vkpt

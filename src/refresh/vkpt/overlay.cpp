@@ -65,8 +65,8 @@ gpu::Handle<VkRenderPass> make_render_pass(const gpu::Device& device, VkFormat f
     return {device.handle(), pass, vkDestroyRenderPass};
 }
 
-// From 1.92 on the lists say which textures they need, and the backend makes and replaces them while it draws. Before that
-// there is one, the font atlas, and we upload it.
+// From 1.92 on the lists say which textures they need, and the backend makes and replaces them
+// while it draws. Before that there is one, the font atlas, and we upload it.
 #if IMGUI_VERSION_NUM >= 19200
 constexpr uint32_t most_textures = IMGUI_IMPL_VULKAN_MINIMUM_IMAGE_SAMPLER_POOL_SIZE;
 #else

@@ -3,7 +3,7 @@
 
 #include "common/error.h"
 #include "refresh/vkpt/light/ltc_table.h"
-#include "refresh/vkpt/shader_library.h"
+#include "refresh/vkpt/gpu/shader_library.h"
 #include "shared/direction_map.h"
 #include "shared/views.h"
 
@@ -200,7 +200,7 @@ void PathTracer::record_direction_map(gpu::FrameCommands& commands,
 
 void PathTracer::record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
                         const shader::FrameParams& params, uint32_t paths) {
-    const int view = params.cvars.pt_view;
+    const int view = params.settings.pt_view;
     prepare(sides, view);
     const VkCommandBuffer buffer = commands.commands();
     commands.upload(frame_, 0, gpu::bytes_of_value(params));

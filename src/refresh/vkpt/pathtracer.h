@@ -5,7 +5,7 @@
 
 #include "refresh/vkpt/gpu/pipeline_compiler.h"
 #include "refresh/vkpt/light/technique.h"
-#include "refresh/vkpt/passes.h"
+#include "refresh/vkpt/gpu/passes.h"
 #include "refresh/vkpt/scene/scene.h"
 #include "shared/frame_params.h"
 
@@ -38,7 +38,7 @@ struct PictureSide {
 /// Index of the side that the crosshair looks at.
 size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_size);
 
-/// The features as constants of shaders: the ids of trace/trace.glsl and pathtrace/frame.glsl.
+/// The features as constants of shaders: the ids of trace/trace.glsl and scene/frame.glsl.
 std::vector<gpu::Specialization> specialization(const SceneFeatures& features);
 
 class PathTracer {

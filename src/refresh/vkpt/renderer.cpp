@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/renderer.h"
 
-#include "common/cvar.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
@@ -21,11 +20,11 @@ namespace vigil::vkpt {
 
 namespace {
 
-gpu::DeviceOptions device_options() {
+gpu::DeviceOptions device_options(const refresh::Settings& settings) {
     gpu::DeviceOptions options;
-    options.name = cvars()->vk_device;
-    options.validation = cvars()->vk_validation;
-    options.debug_names = cvars()->vk_debug_names != 0;
+    options.name = settings.vk_device;
+    options.validation = settings.vk_validation;
+    options.debug_names = settings.vk_debug_names != 0;
     return options;
 }
 
@@ -34,11 +33,13 @@ constexpr size_t max_finished_times = 1024;
 
 } // namespace
 
-VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface)
-    : files_(files), surface_(surface), device_(device_options(), surface),
-      compiler_(device_, cache_dir() / "pipelines.bin"),
-      frames_{gpu::FrameCommands(device_), gpu::FrameCommands(device_)}, waiting_frame_(device_),
-      left_(device_, compiler_, frames_in_flight),
+VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
+                           const refresh::Settings& settings)
+    : files_(files), surface_(surface), settings_(settings),
+      device_(device_options(settings), surface),
+      compiler_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
+                                                                 gpu::FrameCommands(device_)},
+      waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
       path_tracer_(device_, compiler_, left_.guiding().look_up()) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
@@ -48,10 +49,11 @@ VkptRenderer::~VkptRenderer() {
     vkDeviceWaitIdle(device_.handle());
 }
 
-void VkptRenderer::load_level(std::shared_ptr<const Level> level) {
+void VkptRenderer::load_level(std::shared_ptr<const Level> level,
+                              const refresh::Settings& settings) {
     // Everything is made before anything is replaced: a level that fails leaves the one before.
     auto lister = std::make_unique<LightLister>(level->bsp, level->pvs);
-    auto scene = std::make_unique<Scene>(device_, files_, level);
+    auto scene = std::make_unique<Scene>(device_, files_, level, settings.pt_subdivide);
     device_.wait_idle();
     left_.clear();
     right_.reset();
@@ -94,7 +96,8 @@ glm::uvec2 VkptRenderer::picture_size() const {
         if (size.x > 0 && size.y > 0) return size;
         if (path_tracer_.size().x > 0) return path_tracer_.size(); // minimised: keep what we have
     }
-    return {static_cast<uint32_t>(cvars()->vid_width), static_cast<uint32_t>(cvars()->vid_height)};
+    return {static_cast<uint32_t>(settings_.vid_width),
+            static_cast<uint32_t>(settings_.vid_height)};
 }
 
 void VkptRenderer::resize(glm::uvec2 size) {
@@ -115,15 +118,15 @@ void VkptRenderer::resize(glm::uvec2 size) {
 uint32_t VkptRenderer::split_column() const {
     const uint32_t width = path_tracer_.size().x;
     if (!right_) return width;
-    return static_cast<uint32_t>(std::lround(cvars()->pt_compare_at * static_cast<float>(width)));
+    return static_cast<uint32_t>(std::lround(settings_.pt_compare_at * static_cast<float>(width)));
 }
 
 void VkptRenderer::select_sides() {
     const TechniqueContext context{device_, *lister_};
-    rebind_ |= left_.select(static_cast<Technique>(cvars()->pt_nee), context);
+    rebind_ |= left_.select(static_cast<Technique>(settings_.pt_nee), context);
     left_.set_cdq_bits(cdq_bits());
     const std::optional<TechniqueRow> compared =
-        find_technique_row(choice_name(compare_choices, cvars()->pt_compare));
+        find_technique_row(choice_name(compare_choices, settings_.pt_compare));
     if (right_.has_value() != compared.has_value()) {
         // A side that nobody looks at takes no memory, and begins anew when it comes back.
         device_.wait_idle();
@@ -140,7 +143,7 @@ void VkptRenderer::select_sides() {
 }
 
 void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
-    const LightFrame lights{scene_->lights(), frame.view.origin};
+    const LightFrame lights{scene_->lights(), frame.view.origin, settings_};
     rebind_ |= left_.technique()->prepare(lights);
     if (right_) rebind_ |= right_->technique()->prepare(lights);
     if (!rebind_) return;
@@ -158,9 +161,9 @@ void VkptRenderer::for_each_side(const std::function<void(Side&)>& what) {
 
 void VkptRenderer::prepare_pipelines() {
     for_each_side([&](Side& side) {
-        side.prepare_guiding(path_tracer_.size(), frame_number_ - first_frame_);
+        side.prepare_guiding(path_tracer_.size(), frame_number_ - first_frame_, settings_);
     });
-    path_tracer_.prepare(picture_sides(), cvars()->pt_view);
+    path_tracer_.prepare(picture_sides(), settings_.pt_view);
 }
 
 void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
@@ -190,7 +193,7 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
     for (size_t i = 0; i < sides.size(); ++i) {
         const PictureSide& side = sides[i];
         legends_.at(i).record(commands, path_tracer_.display(),
-                              {cvars()->pt_view, side.variant.technique, side.samples_lights,
+                              {settings_.pt_view, side.variant.technique, side.samples_lights,
                                side.guided, path_tracer_.size(),
                                (i == 0 ? left_ : *right_).technique()->uses_guiding(),
                                side.variant.cdq_bits > 0, side.first_column, side.end_column});
@@ -208,25 +211,25 @@ bool VkptRenderer::use_ray_query() const {
     // The compute hierarchy is the default on CPUs, where ray queries are slow, and wherever they
     // are missing.
     const bool offered = device_.features().ray_query && !ray_query_failed_;
-    if (cvars()->pt_trace == cvar_choice("pt_trace", "query")) return offered;
-    return cvars()->pt_trace == cvar_choice("pt_trace", "auto") && offered &&
+    if (settings_.pt_trace == setting_choice("pt_trace", "query")) return offered;
+    return settings_.pt_trace == setting_choice("pt_trace", "auto") && offered &&
            !device_.features().is_cpu;
 }
 
 void VkptRenderer::follow_trace_setting() {
-    if (cvars()->pt_trace == trace_setting_) return;
-    trace_setting_ = cvars()->pt_trace;
+    if (settings_.pt_trace == trace_setting_) return;
+    trace_setting_ = settings_.pt_trace;
     ray_query_failed_ = false;
-    if (trace_setting_ == cvar_choice("pt_trace", "query") && !device_.features().ray_query)
+    if (trace_setting_ == setting_choice("pt_trace", "query") && !device_.features().ray_query)
         log_warning(
             "pt_trace query: {} does not offer VK_KHR_ray_query; our BVH in compute is used",
             device_.properties().deviceName);
 }
 
 void VkptRenderer::follow_guide_setting() {
-    if (cvars()->pt_guide == guide_setting_) return;
-    guide_setting_ = cvars()->pt_guide;
-    if (guide_setting_ == cvar_choice("pt_guide", "cdq") && !device_.features().subgroup_sums)
+    if (settings_.pt_guide == guide_setting_) return;
+    guide_setting_ = settings_.pt_guide;
+    if (guide_setting_ == setting_choice("pt_guide", "cdq") && !device_.features().subgroup_sums)
         log_warning("pt_guide cdq: {} lacks subgroup arithmetic; rays are drawn by the BRDF alone",
                     device_.properties().deviceName);
 }
@@ -242,18 +245,18 @@ bool VkptRenderer::prepare_ray_query() {
 }
 
 uint32_t VkptRenderer::cdq_bits() const {
-    return cdq_bits_of(cvars()->pt_guide == cvar_choice("pt_guide", "cdq"));
+    return cdq_bits_of(settings_.pt_guide == setting_choice("pt_guide", "cdq"));
 }
 
 uint32_t VkptRenderer::cdq_bits_of(bool guided_rays) const {
     // Adding up what rays brought takes subgroup operations that a device may lack.
     if (!guided_rays || !device_.features().subgroup_sums) return 0;
-    return 32 * (static_cast<uint32_t>(cvars()->pt_cdq_bits) + 1);
+    return 32 * (static_cast<uint32_t>(settings_.pt_cdq_bits) + 1);
 }
 
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     shader::FrameParams params{};
-    params.cvars = cvars().gpu_values();
+    params.settings = gpu_settings(settings_);
     set_camera(params, frame.view, path_tracer_.size());
     set_scene(params, *scene_);
     params.time_s =
@@ -267,26 +270,21 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     // mean. Time only moves textures.
     shader::FrameParams relevant = params;
     if (!scene_->features().liquid && !scene_->features().animation) relevant.time_s = 0.0f;
-    relevant.cvars.pt_exposure = relevant.cvars.pt_exposure_bias = 0.0f;
-    relevant.cvars.pt_tonemap = relevant.cvars.pt_view = 0;
-    const uint64_t settings[] = {scene_->revision(),
-                                 static_cast<uint64_t>(left_.id()),
-                                 static_cast<uint64_t>(cvars()->pt_compare),
-                                 static_cast<uint64_t>(split_column()),
-                                 static_cast<uint64_t>(cvars()->pt_jitter),
-                                 static_cast<uint64_t>(cvars()->pt_accumulate),
-                                 static_cast<uint64_t>(cvars()->pt_spp),
-                                 static_cast<uint64_t>(use_ray_query())};
-    std::vector<std::byte> key(sizeof(relevant) + sizeof(settings));
+    relevant.settings = {}; // compared by what they affect
+    const uint64_t more[] = {scene_->revision(), use_ray_query()};
+    std::vector<std::byte> key(sizeof(relevant) + sizeof(more));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
-    std::memcpy(key.data() + sizeof(relevant), settings, sizeof(settings));
-    const bool changed = key != accumulation_key_;
-    if (changed || cvars()->pt_accumulate == 0) accumulated_ = 0;
+    std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
+    const bool changed =
+        key != accumulation_key_ || !same_radiance(settings_, accumulation_settings_);
+    if (changed || settings_.pt_accumulate == 0) accumulated_ = 0;
     if (changed) view_accumulated_ = 0;
     accumulation_key_ = std::move(key);
+    accumulation_settings_ = settings_;
 }
 
 uint64_t VkptRenderer::render(const refresh::Frame& frame) {
+    settings_ = frame.settings;
     resize(picture_size());
     const size_t slot = frame_number_ % frames_in_flight;
     gpu::FrameCommands& commands = frames_[slot];
@@ -300,7 +298,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         select_sides();
         follow_trace_setting();
         follow_guide_setting();
-        rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
+        rebind_ |= scene_->prepare(frame, settings_.pt_emissive_scale);
         rebind_ |= prepare_ray_query();
         prepare_sides(frame);
         prepare_pipelines();
@@ -319,22 +317,22 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         update_sides(commands, slot);
 
         // Trace and finish the picture.
-        const bool accumulating = cvars()->pt_accumulate != 0;
+        const bool accumulating = settings_.pt_accumulate != 0;
         params.frame = static_cast<uint32_t>(frame_number_ - first_frame_);
         params.accumulated = accumulated_;
         params.view_accumulated = view_accumulated_;
         params.jitter =
-            cvars()->pt_jitter == 2 || (cvars()->pt_jitter == 1 && accumulating) ? 1u : 0u;
+            settings_.pt_jitter == 2 || (settings_.pt_jitter == 1 && accumulating) ? 1u : 0u;
         const std::vector<PictureSide> sides = picture_sides();
-        path_tracer_.record(commands, sides, params, static_cast<uint32_t>(cvars()->pt_spp));
+        path_tracer_.record(commands, sides, params, static_cast<uint32_t>(settings_.pt_spp));
         record_texts(commands, sides);
         traced_ = true;
         ++accumulated_;
-        const bool maps_directions = params.cvars.pt_view == shader::VIEW_CDQ;
+        const bool maps_directions = params.settings.pt_view == shader::VIEW_CDQ;
         view_accumulated_ = maps_directions ? view_accumulated_ + 1 : 0;
         remember_shown(frame, sides);
     }
-    present(commands, overlay, cvars()->vid_vsync != 0 && !frame.uncapped);
+    present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);
     frame_unfinished_ = false;
     slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right};
     return frame_number_++;
@@ -345,7 +343,7 @@ void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const P
     shown_.right = shown == 1;
     const PictureSide& side = sides[shown];
     shown_.guided = side.guided;
-    shown_.bucket_size = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
+    shown_.bucket_size = static_cast<uint32_t>(settings_.pt_vlc_bucket);
     shown_.cdq_bits = side.variant.cdq_bits;
     const auto shines = [](const auto& light) { return light.radius > 0.0f; };
     shown_.dynamic_lights =
@@ -369,8 +367,8 @@ ImDrawData* VkptRenderer::await_pipelines(ImDrawData* overlay) {
         told = true;
         show_wait(report());
     }
-    // A driver that compiles at the first dispatch: one shader after the other, so that the window is
-    // drawn between them and answers meanwhile.
+    // A driver that compiles at the first dispatch: one shader after the other, so that the window
+    // is drawn between them and answers meanwhile.
     while (const auto job = compiler_.begin_first_dispatch()) {
         if (told) show_wait(report());
         device_.wait_idle();
@@ -514,11 +512,11 @@ std::string VkptRenderer::describe_scene() const {
     text += fmt::format("\n  ray tracing     {}",
                         use_ray_query() ? "VK_KHR_ray_query" : "our BVH in compute");
     text += fmt::format("\n  light sampling  {}: {}",
-                        technique_infos[static_cast<size_t>(cvars()->pt_nee)].name,
-                        technique_infos[static_cast<size_t>(cvars()->pt_nee)].help);
+                        technique_infos[static_cast<size_t>(settings_.pt_nee)].name,
+                        technique_infos[static_cast<size_t>(settings_.pt_nee)].help);
     if (right_)
         text += fmt::format("\n  compared with   {}",
-                            choice_name(compare_choices, cvars()->pt_compare));
+                            choice_name(compare_choices, settings_.pt_compare));
     text += fmt::format("\n  guiding         {}", guiding_line());
     if (const uint32_t count = nonfinite_count(); count > 0)
         text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",
@@ -532,8 +530,9 @@ std::string VkptRenderer::describe_device() const {
 
 void VkptRenderer::export_scene(const refresh::Frame& frame, const std::string& path) {
     if (!scene_) fail("no level is loaded");
+    settings_ = frame.settings;
     resize(picture_size());
-    rebind_ |= scene_->prepare(frame, cvars()->pt_emissive_scale);
+    rebind_ |= scene_->prepare(frame, settings_.pt_emissive_scale);
     const ExportSummary summary = write_gltf(export_scene_of(*scene_, frame_params(frame)), path);
     log_info("wrote {}: {} triangles in {} files, {:.1f} MiB", path, summary.triangles,
              summary.files, static_cast<double>(summary.bytes) / 1048576.0);
@@ -543,8 +542,9 @@ void VkptRenderer::export_scene(const refresh::Frame& frame, const std::string& 
 
 namespace vigil::refresh {
 
-std::unique_ptr<Renderer> make_vkpt_renderer(FileSystem& files, SurfaceProvider* surface) {
-    return std::make_unique<vkpt::VkptRenderer>(files, surface);
+std::unique_ptr<Renderer> make_vkpt_renderer(FileSystem& files, SurfaceProvider* surface,
+                                             const Settings& settings) {
+    return std::make_unique<vkpt::VkptRenderer>(files, surface, settings);
 }
 
 } // namespace vigil::refresh

@@ -21,12 +21,13 @@ namespace vigil::vkpt {
 
 class VkptRenderer : public refresh::Renderer {
 public:
-    VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface);
+    VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
+                 const refresh::Settings& settings);
     ~VkptRenderer() override;
 
     void watch_compilation(refresh::CompilationWatcher* watcher) override { watcher_ = watcher; }
     bool compiling() const override { return !compiler_.idle(); }
-    void load_level(std::shared_ptr<const Level> level) override;
+    void load_level(std::shared_ptr<const Level> level, const refresh::Settings& settings) override;
     refresh::ModelHandle register_model(std::string_view name) override;
     uint64_t render(const refresh::Frame& frame) override;
     refresh::Picture read_picture(bool with_overlay) override;
@@ -96,6 +97,7 @@ private:
 
     FileSystem& files_;
     refresh::SurfaceProvider* surface_;
+    refresh::Settings settings_; // of the last frame
     gpu::Device device_;
     gpu::PipelineCompiler compiler_;
     std::array<gpu::FrameCommands, frames_in_flight> frames_;
@@ -124,7 +126,8 @@ private:
     uint64_t first_frame_ = 0;                // of the level: random numbers count from it
     uint32_t accumulated_ = 0;                // frames in the running mean after the last render
     uint32_t view_accumulated_ = 0;           // the same of the view's
-    std::vector<std::byte> accumulation_key_; // what both depend on
+    std::vector<std::byte> accumulation_key_; // what both depend on, with
+    refresh::Settings accumulation_settings_;
     /// What the last frame showed, for texts about it.
     struct Shown {
         bool right = false; // the crosshair looked at the right side

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/side.h"
 
-#include "common/cvar.h"
-
 namespace vigil::vkpt {
 
 bool Side::select(Technique technique, const TechniqueContext& context) {
@@ -18,11 +16,12 @@ void Side::forget(const glm::vec3& corner, float size) {
     guiding_.restart(corner, size);
 }
 
-void Side::prepare_guiding(glm::uvec2 picture_size, uint64_t frame) {
+void Side::prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
+                           const refresh::Settings& settings) {
     if (!guided()) return;
-    Guiding::Options options = Guiding::options(picture_size, frame);
+    Guiding::Options options = Guiding::options(picture_size, frame, settings);
     options.cdq_bits = cdq_bits_;
-    options.settings.even_density = shader::cdq_even_density(cdq_bits_, cvars()->pt_cdq_brdf);
+    options.settings.even_density = shader::cdq_even_density(cdq_bits_, settings.pt_cdq_brdf);
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
 }

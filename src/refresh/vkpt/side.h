@@ -30,7 +30,8 @@ public:
 
     /// Makes what the octree needs for a frame of `picture_size`, the level's frame number `frame`,
     /// if it is of use.
-    void prepare_guiding(glm::uvec2 picture_size, uint64_t frame);
+    void prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
+                         const refresh::Settings& settings);
     /// Records the passes that bring the octree to that frame; after the technique's own adapt().
     void update_guiding(gpu::FrameCommands& commands, size_t slot);
 

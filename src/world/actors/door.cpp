@@ -100,7 +100,8 @@ void Door::use() {
         leader_->use();
         return;
     }
-    const bool closes = has_flag(door_flag::toggle) && (state_ == State::Open || state_ == State::Opening);
+    const bool closes =
+        has_flag(door_flag::toggle) && (state_ == State::Open || state_ == State::Opening);
     for (Door* door : team_) {
         if (closes)
             door->close();
@@ -176,7 +177,9 @@ std::unique_ptr<Actor> spawn_rotating_door(Game& game, const Entity& keys, int n
     const auto flags = static_cast<uint32_t>(keys.get_int("spawnflags"));
     const float wanted = keys.get_float("distance");
     const float distance = wanted == 0.0f ? 90.0f : glm::clamp(wanted, -3600.0f, 3600.0f);
-    const size_t axis = (flags & door_flag::x_axis) != 0 ? 2 : (flags & door_flag::y_axis) != 0 ? 0 : 1;
+    const size_t axis = (flags & door_flag::x_axis) != 0   ? 2
+                        : (flags & door_flag::y_axis) != 0 ? 0
+                                                           : 1;
     open.angles[axis] = (flags & door_flag::reverse) != 0 ? -distance : distance;
     return std::make_unique<Door>(game, keys, number, open);
 }

@@ -10,7 +10,6 @@ namespace vigil {
 
 namespace {
 
-
 class Explosive : public Mover {
     static constexpr uint32_t trigger_spawn = 1; // of the flags
 

@@ -10,7 +10,13 @@ namespace vigil {
 namespace {
 
 class Rotating : public Mover {
-    enum Flag : uint32_t { start_on = 1, reverse = 2, x_axis = 4, y_axis = 8, stop_if_blocked = 32 };
+    enum Flag : uint32_t {
+        start_on = 1,
+        reverse = 2,
+        x_axis = 4,
+        y_axis = 8,
+        stop_if_blocked = 32
+    };
 
 public:
     Rotating(Game& game, const Entity& keys, int number) : Mover(game, keys, number) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/guiding/guiding.h"
 
-#include "common/cvar.h"
-#include "refresh/vkpt/shader_library.h"
+#include "refresh/vkpt/gpu/shader_library.h"
 #include "shared/bindings.h"
 #include "shared/cdq.h"
 #include "shared/octree.h"
@@ -96,25 +95,26 @@ void Guiding::make_pipelines() {
              {{0, subgroup}, {1, options_.cdq_bits}});
 }
 
-Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame) {
+Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame,
+                                  const refresh::Settings& settings) {
     const double factor =
-        threshold_factor(picture_size) * static_cast<double>(cvars()->pt_oct_scale);
-    const auto bucket = static_cast<uint32_t>(cvars()->pt_vlc_bucket);
+        threshold_factor(picture_size) * static_cast<double>(settings.pt_oct_scale);
+    const auto bucket = static_cast<uint32_t>(settings.pt_vlc_bucket);
     Options options;
     options.picture_size = picture_size;
-    options.settings.split = scaled(cvars()->pt_oct_split, factor, 4);
+    options.settings.split = scaled(settings.pt_oct_split, factor, 4);
     // A node must not collapse that would be split again at once.
     options.settings.collapse =
-        std::min(scaled(cvars()->pt_oct_collapse, factor, 1), options.settings.split);
+        std::min(scaled(settings.pt_oct_collapse, factor, 1), options.settings.split);
     options.settings.bucket = bucket;
-    const float share = cvars()->pt_vlc_hysteresis * static_cast<float>(bucket);
+    const float share = settings.pt_vlc_hysteresis * static_cast<float>(bucket);
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
-    options.settings.migrations = static_cast<uint32_t>(cvars()->pt_cdq_migrations);
-    options.settings.margin = cvars()->pt_cdq_margin;
-    options.settings.memory_rays = static_cast<uint32_t>(cvars()->pt_cdq_rays);
-    options.settings.persist = static_cast<uint32_t>(cvars()->pt_vlc_persist);
-    options.settings.merge_faces = cvars()->pt_vlc_merge != 0 ? all_faces : 0;
-    if (cvars()->pt_vlc_persist >= persist_for_half)
+    options.settings.migrations = static_cast<uint32_t>(settings.pt_cdq_migrations);
+    options.settings.margin = settings.pt_cdq_margin;
+    options.settings.memory_rays = static_cast<uint32_t>(settings.pt_cdq_rays);
+    options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
+    options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
+    if (settings.pt_vlc_persist >= persist_for_half)
         options.settings.merge_faces &= half_of_faces[frame % 2];
     return options;
 }

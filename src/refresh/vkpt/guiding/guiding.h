@@ -6,7 +6,7 @@
 #pragma once
 
 #include "refresh/vkpt/gpu/pipeline_compiler.h"
-#include "refresh/vkpt/passes.h"
+#include "refresh/vkpt/gpu/passes.h"
 #include "shared/guiding_types.h"
 
 #include <array>
@@ -31,7 +31,8 @@ public:
     /// rays to say. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they
     /// follow the number of pixels, and pt_oct_scale. `frame` counts frames: where lights persist,
     /// neighbours take turns.
-    static Options options(glm::uvec2 picture_size, uint64_t frame);
+    static Options options(glm::uvec2 picture_size, uint64_t frame,
+                           const refresh::Settings& settings);
     /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
     /// surface samples.
     static uint32_t node_capacity(const Options& options);

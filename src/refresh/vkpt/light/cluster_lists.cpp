@@ -37,10 +37,10 @@ LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char
     if (told) limits.steps = 0; // refused once, and not tried again in every frame
     LightLists lists = lister_.build(lights, limits);
     if (!lists.refused.empty() && !std::exchange(told, true))
-        log_warning("{}: light lists of {} {} lights in {} clusters {}; all clusters share the list "
-                    "of all lights, and the picture is noisier",
-                    lister_.level_name(), lights.size(), which, lister_.cluster_count(),
-                    lists.refused);
+        log_warning(
+            "{}: light lists of {} {} lights in {} clusters {}; all clusters share the list "
+            "of all lights, and the picture is noisier",
+            lister_.level_name(), lights.size(), which, lister_.cluster_count(), lists.refused);
     return lists;
 }
 
@@ -49,8 +49,8 @@ bool ClusterLists::prepare(const LightSet& lights) {
     const uint32_t first_moving = lights.static_count();
     if (!built_) {
         // A static light that is dark now may be switched on later: it is listed all the same.
-        const LightLists lists = build(triangles_of(lights, 0, first_moving, true), "static",
-                                       static_told_);
+        const LightLists lists =
+            build(triangles_of(lights, 0, first_moving, true), "static", static_told_);
         static_pairs_ = lists.pair_count;
         renewed |= static_.set(lists);
         built_ = true;

@@ -13,8 +13,9 @@ namespace vigil::vkpt {
 class ClusterLists {
 public:
     explicit ClusterLists(const TechniqueContext& context)
-        : lister_(context.lister), limits_(limits_of(context.device)), static_(context.device, "static light"),
-          moving_(context.device, "moving light"), counts_(context.device, "light list counts") {}
+        : lister_(context.lister), limits_(limits_of(context.device)),
+          static_(context.device, "static light"), moving_(context.device, "moving light"),
+          counts_(context.device, "light list counts") {}
 
     /// Brings the lists to this frame's lights. Returns true if a buffer was made anew.
     bool prepare(const LightSet& lights);

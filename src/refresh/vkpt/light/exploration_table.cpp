@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/exploration_table.h"
 
-#include "common/cvar.h"
 #include "refresh/vkpt/scene/light_set.h"
 
 namespace vigil::vkpt {
 
 bool ExplorationTable::prepare(const LightFrame& frame) {
-    const ExplorationMix mix{cvars()->pt_explore_energy, cvars()->pt_explore_change,
-                             cvars()->pt_explore_distance};
+    const ExplorationMix mix{frame.settings.pt_explore_energy, frame.settings.pt_explore_change,
+                             frame.settings.pt_explore_distance};
     if (revision_ == frame.lights.revision() && eye_ == frame.eye && mix_ == mix &&
         !exploration_.fading())
         return false;

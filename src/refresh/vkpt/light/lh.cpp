@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `lh`: the Light Hierarchy (shaders/light/lh.glsl), built anew in every frame whose
 // lights differ from those of the frame before.
-#include "common/cvar.h"
 #include "refresh/vkpt/light/growing_buffer.h"
 #include "refresh/vkpt/light/light_hierarchy.h"
 #include "refresh/vkpt/light/technique.h"
@@ -20,8 +19,8 @@ public:
           places_(context.device, "light places"), parents_(context.device, "light parents") {}
 
     bool prepare(const LightFrame& frame) override {
-        const LightHierarchyOptions options{static_cast<uint32_t>(cvars()->pt_lh_width),
-                                            static_cast<uint32_t>(cvars()->pt_lh_leaf)};
+        const LightHierarchyOptions options{static_cast<uint32_t>(frame.settings.pt_lh_width),
+                                            static_cast<uint32_t>(frame.settings.pt_lh_leaf)};
         if (revision_ == frame.lights.revision() && options_ == options) return false;
         revision_ = frame.lights.revision();
         options_ = options;

@@ -45,7 +45,7 @@ struct LightListLimits {
 struct LightLists {
     std::vector<LightRange> ranges; // cluster_count + 1
     std::vector<uint32_t> ids;
-    std::string refused; // why all clusters share the list of all lights; empty if they do not
+    std::string refused;     // why all clusters share the list of all lights; empty if they do not
     uint64_t pair_count = 0; // lengths of the clusters' lists, shared copies counted each time
     uint64_t steps = 0;      // corners, words and boxes that were looked at
     uint32_t unplaced = 0;   // lights that touch no cluster (inside walls); they are in every list

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/shadow_statistics.h"
 
-#include "refresh/vkpt/passes.h"
-#include "refresh/vkpt/shader_library.h"
+#include "refresh/vkpt/gpu/passes.h"
+#include "refresh/vkpt/gpu/shader_library.h"
 #include "shared/shadow_statistics.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `sll`: Static Light Lists (shaders/light/sll.glsl), and what they learn about shadows.
-#include "common/cvar.h"
 #include "refresh/vkpt/light/cluster_lists.h"
 #include "refresh/vkpt/light/shadow_statistics.h"
 
@@ -14,8 +13,9 @@ public:
         : lists_(context), shadows_(context.device) {}
 
     bool prepare(const LightFrame& frame) override {
+        learns_ = frame.settings.pt_sll_stats != 0;
         bool renewed = lists_.prepare(frame.lights);
-        if (learns())
+        if (learns_)
             renewed |= shadows_.reserve(lists_.pair_count());
         else
             shadows_.forget(); // what was counted before it was switched off is out of date later
@@ -23,10 +23,10 @@ public:
     }
     void upload(gpu::FrameCommands& commands) override { lists_.upload(commands); }
     void adapt(gpu::FrameCommands& commands) override {
-        if (learns()) shadows_.adapt(commands);
+        if (learns_) shadows_.adapt(commands);
     }
     void forget() override { shadows_.forget(); }
-    bool learns() const override { return cvars()->pt_sll_stats != 0; }
+    bool learns() const override { return learns_; }
     Bindings bindings() const override {
         Bindings bindings{shadows_.buffer()};
         lists_.bind(bindings);
@@ -36,6 +36,7 @@ public:
 private:
     ClusterLists lists_;
     ShadowStatistics shadows_;
+    bool learns_ = false; // as the last frame said
 };
 
 } // namespace

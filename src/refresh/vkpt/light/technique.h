@@ -4,6 +4,7 @@
 // shaders/shared/techniques.h.
 #pragma once
 
+#include "refresh/settings.h"
 #include "refresh/vkpt/gpu/commands.h"
 
 #include <array>
@@ -25,6 +26,7 @@ class LightSet;
 struct LightFrame {
     const LightSet& lights;
     glm::vec3 eye; // the camera's position
+    const refresh::Settings& settings;
 };
 
 class LightTechnique {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Meshes (glTF) and MD2 poses as triangles with materials and lights. Shading is flat everywhere,
-// see shaders/pathtrace/surface.glsl, so normals are not kept.
+// see shaders/scene/surface.glsl, so normals are not kept.
 #pragma once
 
 #include "formats/md2.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/scene/scene.h"
 
-#include "common/cvar.h"
 #include "common/error.h"
 #include "common/file_system.h"
 #include "common/log.h"
@@ -48,12 +47,13 @@ bool replace(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T
 
 } // namespace
 
-Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level)
+Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
+             int subdivisions)
     : device_(device), files_(files), level_(std::move(level)),
       textures_(std::make_unique<TextureSet>(files)),
       materials_(std::make_unique<MaterialSet>(files, *textures_)) {
     ModelGeometry world = brush_model_geometry(*level_, 0, *materials_);
-    subdivide(world, cvars()->pt_subdivide);
+    subdivide(world, subdivisions);
     lights_ = LightSet(world.lights);
     place_model("*0", std::move(world), Deforms::No);
     read_sky();

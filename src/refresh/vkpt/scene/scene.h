@@ -50,7 +50,8 @@ inline bool is_visible(const refresh::Beam& beam) {
 
 class Scene {
 public:
-    Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level);
+    Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
+          int subdivisions);
 
     refresh::ModelHandle register_model(std::string_view name);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Keeps what is not finite, or negative, out of caches and means: counts each such value, marks the pixel whose path it was met on
 // (pt_view nonfinite), and hands on 0 instead. Nothing that is finite is changed, however bright.
-#ifndef VIGIL_PATHTRACE_FIREWALL_GLSL
-#define VIGIL_PATHTRACE_FIREWALL_GLSL
+#ifndef VIGIL_SCENE_FIREWALL_GLSL
+#define VIGIL_SCENE_FIREWALL_GLSL
 
-#include "pathtrace/frame.glsl"
+#include "scene/frame.glsl"
 #include "shared/firewall.h"
 
 /// The pixel whose path this invocation traces; NONE in passes that trace none.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Running commands: order, pauses, recursion, errors, and the built-in commands.
-#include "common/command.h"
+#include "console/command.h"
 
-#include "common/builtin_commands.h"
 #include "common/error.h"
-#include "scratch_folder.h"
+#include "common/scratch_folder.h"
+#include "console/builtin_commands.h"
 
 #include <fmt/ranges.h>
 #include <map>

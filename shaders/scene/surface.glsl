@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From a hit to a surface: position, geometric normal, albedo, gloss, PVS cluster. Shading uses the geometric normal
 // everywhere: it keeps reflection and sampling consistent, and the same surface for every technique.
-#ifndef VIGIL_PATHTRACE_SURFACE_GLSL
-#define VIGIL_PATHTRACE_SURFACE_GLSL
+#ifndef VIGIL_SCENE_SURFACE_GLSL
+#define VIGIL_SCENE_SURFACE_GLSL
 
-#include "pathtrace/scene.glsl"
+#include "scene/scene.glsl"
 #include "shared/brdf.h"
 #include "shared/sampling.h"
 #include "trace/trace.glsl"
@@ -30,6 +30,13 @@ struct Vertex {
     vec3 emission; // towards the ray's origin: of the sky, or of the light that was hit
     bool sky;
 };
+
+/// Where what is at the surface's position now was a frame ago.
+vec3 previous_position(Surface surface) {
+    if (!HAS_INSTANCES || surface.instance == 0u) return surface.position;
+    const vec3 local = instances[surface.instance].object_from_world * vec4(surface.position, 1.0);
+    return instances[surface.instance].previous_world_from_object * vec4(local, 1.0);
+}
 
 /// Unit normal of a triangle's front, in world space.
 vec3 triangle_normal(BvhTriangle triangle, uint instance) {
@@ -93,7 +100,7 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     const vec3 texel = surface_texel(primitive, triangle, material, hit.barycentrics, cone);
     if (HAS_LIGHTS && primitive.light != NONE)
         vertex.emission = light_emission(primitive, triangle, hit, material, texel,
-                                         primary && frame.cvars.pt_emissive_texture != 0);
+                                         primary && frame.settings.pt_emissive_texture != 0);
     if (HAS_INSTANCES && primary && (material.flags & MATERIAL_SHINES) != 0u) vertex.emission = SHINE_RADIANCE * texel;
     vertex.lit = true;
     vertex.surface.position = triangle_point(triangle, hit);

@@ -2,7 +2,7 @@
 // Completion of console lines: names of commands, aliases and variables for the first word; values
 // and what the command itself offers for the others.
 #include "common/ascii_case.h"
-#include "common/command.h"
+#include "console/command.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sorting the command line.
-#include "common/command_line.h"
+#include "console/command_line.h"
 
 #include "common/error.h"
-#include "scratch_folder.h"
+#include "common/scratch_folder.h"
 
 namespace vigil {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Completion of console lines.
-#include "common/builtin_commands.h"
-#include "common/command.h"
 #include "common/error.h"
+#include "console/builtin_commands.h"
+#include "console/command.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -4,11 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shared/cvar_table.h"
+#include "shared/settings_table.h"
 #include "shared/techniques.h"
 
 layout(local_size_x = 1) in;
-layout(set = 0, binding = 0, scalar) uniform Cvars { GpuCvars cvars; };
+layout(set = 0, binding = 0, scalar) uniform Cvars { GpuSettings cvars; };
 layout(set = 0, binding = 1, scalar) buffer Result { float result; };
 
 void main() {

@@ -32,7 +32,7 @@ void main() {
         const LightList list = find_light_list(surface);
         if (place < list.count) {
             const LightChoice choice = weighted_choice(light_of_list(list, place), 1.0);
-            Random random = random_begin(uvec2(index, place), uint(frame.cvars.pt_seed), FLOOR_SEED);
+            Random random = random_begin(uvec2(index, place), uint(frame.settings.pt_seed), FLOOR_SEED);
             const uint samples = path_count / 2u;
             vec2 squares = vec2(0.0);
             for (uint i = 0u; i < 2u * samples; ++i) {

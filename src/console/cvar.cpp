@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The variable registry: text to value and back, ranges, change counters. The table itself is
-// shaders/shared/cvar_table.h.
-#include "common/cvar.h"
+// shaders/shared/settings_table.h.
+#include "console/cvar.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"
@@ -17,13 +17,14 @@ namespace vigil {
 namespace {
 
 constexpr bool defaults_are_valid() {
-#define VIGIL_STRING(name, life, value, help)
-#define VIGIL_NUMBER(name, life, value, low, high, help)                                           \
+#define VIGIL_STRING(...)
+#define VIGIL_NUMBER(name, life, affects, value, low, high, help)                                  \
     if (!(low <= value && value <= high)) return false;
-#define VIGIL_CHOICE(name, life, value, choices, help)                                             \
+#define VIGIL_CHOICE(name, life, affects, value, choices, help)                                    \
     if (choice_index(choices, value) < 0) return false;
-    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE, VIGIL_NUMBER,
-                     VIGIL_NUMBER, VIGIL_CHOICE)
+    VIGIL_PROGRAM_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE)
+    VIGIL_RENDERER_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE, VIGIL_NUMBER,
+                         VIGIL_NUMBER, VIGIL_CHOICE)
 #undef VIGIL_STRING
 #undef VIGIL_NUMBER
 #undef VIGIL_CHOICE
@@ -37,7 +38,8 @@ constexpr std::size_t gpu_row_count() {
         count += info.gpu ? 1 : 0;
     return count;
 }
-static_assert(sizeof(GpuCvars) == 4 * gpu_row_count(), "GpuCvars must have the scalar layout");
+static_assert(sizeof(GpuSettings) == 4 * gpu_row_count(),
+              "GpuSettings must have the scalar layout");
 
 std::string_view trim(std::string_view text) {
     const char* space = " \t\r\n";
@@ -248,23 +250,6 @@ std::string CvarRegistry::get_text(std::string_view name) const {
 
 std::uint64_t CvarRegistry::changes(std::string_view name) const {
     return states_[row_of(name)].changes;
-}
-
-GpuCvars CvarRegistry::gpu_values() const {
-    GpuCvars gpu;
-#define VIGIL_STRING(name, life, value, help)
-#define VIGIL_NUMBER(name, life, value, low, high, help)
-#define VIGIL_CHOICE(name, life, value, choices, help)
-#define VIGIL_GPU_NUMBER(name, life, value, low, high, help) gpu.name = values_.name;
-#define VIGIL_GPU_CHOICE(name, life, value, choices, help) gpu.name = values_.name;
-    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE, VIGIL_GPU_NUMBER,
-                     VIGIL_GPU_NUMBER, VIGIL_GPU_CHOICE)
-#undef VIGIL_STRING
-#undef VIGIL_NUMBER
-#undef VIGIL_CHOICE
-#undef VIGIL_GPU_NUMBER
-#undef VIGIL_GPU_CHOICE
-    return gpu;
 }
 
 std::string CvarRegistry::archive_text() const {

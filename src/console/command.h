@@ -5,8 +5,8 @@
 // only.
 #pragma once
 
-#include "common/command_text.h"
-#include "common/cvar.h"
+#include "console/command_text.h"
+#include "console/cvar.h"
 
 #include <cstdint>
 #include <deque>
@@ -20,9 +20,9 @@
 namespace vigil {
 
 /// Who wrote a script. What somebody else packed into a game archive may change how the game plays,
-/// but not the guarded variables (cvar_table.h): where files go and what the screen does. Aliases
-/// and key bindings remember who made them, and a script runs with the trust of the least trusted
-/// one that led to it.
+/// but not the guarded variables (settings_table.h): where files go and what the screen does.
+/// Aliases and key bindings remember who made them, and a script runs with the trust of the least
+/// trusted one that led to it.
 enum class Trust { Archive, Person };
 
 /// A script and who wrote it.

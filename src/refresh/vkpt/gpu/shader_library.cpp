@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/shader_library.h"
+#include "refresh/vkpt/gpu/shader_library.h"
 
 #include "shaders/vigil_vkpt_includes.inc"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The variable registry: every row of the table behaves as its type and range say.
-#include "common/cvar.h"
+#include "console/cvar.h"
 
 #include "common/error.h"
-#include "scratch_folder.h"
+#include "common/scratch_folder.h"
 
 #include <cmath>
 #include <limits>
@@ -175,10 +175,26 @@ TEST(Cvar, GpuValuesFollow) {
     CvarRegistry registry;
     registry.set("pt_sky_scale", "2.5");
     registry.set("pt_view", "depth");
-    const GpuCvars gpu = registry.gpu_values();
+    const GpuSettings gpu = gpu_settings(registry.values());
     EXPECT_EQ(gpu.pt_sky_scale, 2.5f);
     EXPECT_EQ(gpu.pt_view, cvar_choice("pt_view", "depth"));
     EXPECT_EQ(gpu.pt_sll_max, 32);
+}
+
+TEST(Cvar, RadianceDependsOnWhatTheTableSays) {
+    for (const CvarInfo& info : cvar_infos) {
+        if (info.type == CvarType::String) continue;
+        CvarRegistry registry;
+        const refresh::Settings before = registry.values();
+        registry.set(info.name, "1");
+        if (registry.get_text(info.name) == cvar_default_text(info))
+            registry.set(info.name, info.maximum > 1.0 ? "2" : "0");
+        ASSERT_NE(registry.get_text(info.name), cvar_default_text(info)) << info.name;
+        const bool is_renderers = info.name != "pt_light_styles" &&
+                                  (info.name.starts_with("pt_") || info.name.starts_with("vid_"));
+        const bool same = !is_renderers || info.affects < Affects::Picture;
+        EXPECT_EQ(same_radiance(registry.values(), before), same) << info.name;
+    }
 }
 
 TEST(Cvar, ListsByPrefixInOrder) {

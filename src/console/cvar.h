@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Console variables: typed values generated from shaders/shared/cvar_table.h, and the registry that
-// sets them by name, keeps them in range and counts changes. It does not read or write files; the
-// console commands around it are in builtin_commands.h. Used by the main thread only.
+// Console variables: typed values generated from shaders/shared/settings_table.h, and the registry
+// that sets them by name, keeps them in range and counts changes. It does not read or write files;
+// the console commands around it are in builtin_commands.h. Used by the main thread only.
 #pragma once
 
-#include "shared/cvar_table.h"
+#include "refresh/settings.h"
 
 #include <cstdint>
 #include <span>
@@ -34,44 +34,11 @@ inline constexpr Column GuardedSession{CvarLife::Session, true};
 inline constexpr Column Start{CvarLife::Start, true};
 } // namespace cvar_life
 
-/// Number of choices in "a|b|c".
-constexpr int choice_count(std::string_view choices) {
-    int count = 1;
-    for (char c : choices)
-        count += c == '|' ? 1 : 0;
-    return count;
-}
-
-/// Index of `name` in "a|b|c", or -1.
-constexpr int choice_index(std::string_view choices, std::string_view name) {
-    for (int index = 0;; ++index) {
-        const auto bar = choices.find('|');
-        if (choices.substr(0, bar) == name) return index;
-        if (bar == std::string_view::npos) return -1;
-        choices.remove_prefix(bar + 1);
-    }
-}
-
-/// Name number `index` of "a|b|c"; index must be in range.
-constexpr std::string_view choice_name(std::string_view choices, int index) {
-    for (; index > 0; --index)
-        choices.remove_prefix(choices.find('|') + 1);
-    return choices.substr(0, choices.find('|'));
-}
-
 /// The value of every variable, as typed members: values.pt_spp, values.basedir. A choice is the
 /// index of its name; compare it with cvar_choice().
-struct CvarValues {
-#define VIGIL_STRING(name, life, value, help) std::string name = value;
-#define VIGIL_INTEGER(name, life, value, low, high, help) int name = value;
-#define VIGIL_REAL(name, life, value, low, high, help) float name = static_cast<float>(value);
-#define VIGIL_CHOICE(name, life, value, choices, help) int name = choice_index(choices, value);
-    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_INTEGER, VIGIL_REAL, VIGIL_CHOICE, VIGIL_INTEGER,
-                     VIGIL_REAL, VIGIL_CHOICE)
-#undef VIGIL_STRING
-#undef VIGIL_INTEGER
-#undef VIGIL_REAL
-#undef VIGIL_CHOICE
+struct CvarValues : refresh::Settings {
+    VIGIL_PROGRAM_TABLE(VIGIL_STRING_MEMBER, VIGIL_INTEGER_MEMBER, VIGIL_REAL_MEMBER,
+                        VIGIL_CHOICE_MEMBER)
 };
 
 /// Longest text of a String variable. Scripts repeat variables in one another; this bounds it.
@@ -82,8 +49,9 @@ struct CvarInfo {
     std::string_view name;
     CvarType type;
     CvarLife life;
-    bool guarded;             ///< scripts from game archives cannot set it
-    bool gpu;                 ///< a field of GpuCvars
+    bool guarded; ///< scripts from game archives cannot set it
+    Affects affects;
+    bool gpu;                 ///< a field of GpuSettings
     double minimum, maximum;  ///< Integer and Real: inclusive range
     std::string_view choices; ///< Choice: names with bars between them
     std::string_view help;
@@ -92,32 +60,28 @@ struct CvarInfo {
 
 // clang-format off
 inline constexpr CvarInfo cvar_infos[] = {
-#define VIGIL_STRING(name, life, value, help) \
-    {#name, CvarType::String, cvar_life::life.lasts, cvar_life::life.guarded, false, 0, 0, "", help, \
-     &CvarValues::name},
-#define VIGIL_NUMBER_ROW(name, type, life, gpu, low, high, help) \
-    {#name, CvarType::type, cvar_life::life.lasts, cvar_life::life.guarded, gpu, low, high, "", help, \
-     &CvarValues::name},
-#define VIGIL_CHOICE_ROW(name, life, gpu, choices, help) \
-    {#name, CvarType::Choice, cvar_life::life.lasts, cvar_life::life.guarded, gpu, 0, \
-     choice_count(choices) - 1.0, choices, help, &CvarValues::name},
-#define VIGIL_INTEGER(name, life, value, low, high, help) \
-    VIGIL_NUMBER_ROW(name, Integer, life, false, low, high, help)
-#define VIGIL_REAL(name, life, value, low, high, help) \
-    VIGIL_NUMBER_ROW(name, Real, life, false, low, high, help)
-#define VIGIL_CHOICE(name, life, value, choices, help) \
-    VIGIL_CHOICE_ROW(name, life, false, choices, help)
-#define VIGIL_GPU_INTEGER(name, life, value, low, high, help) \
-    VIGIL_NUMBER_ROW(name, Integer, life, true, low, high, help)
-#define VIGIL_GPU_REAL(name, life, value, low, high, help) \
-    VIGIL_NUMBER_ROW(name, Real, life, true, low, high, help)
-#define VIGIL_GPU_CHOICE(name, life, value, choices, help) \
-    VIGIL_CHOICE_ROW(name, life, true, choices, help)
-    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_INTEGER, VIGIL_REAL, VIGIL_CHOICE, VIGIL_GPU_INTEGER,
-                     VIGIL_GPU_REAL, VIGIL_GPU_CHOICE)
+#define VIGIL_ROW(name, type, life, affects, gpu, low, high, choices, help) \
+    {#name, CvarType::type, cvar_life::life.lasts, cvar_life::life.guarded, Affects::affects, gpu, \
+     low, high, choices, help, &CvarValues::name},
+#define VIGIL_STRING(name, life, affects, value, help) \
+    VIGIL_ROW(name, String, life, affects, false, 0, 0, "", help)
+#define VIGIL_INTEGER(name, life, affects, value, low, high, help) \
+    VIGIL_ROW(name, Integer, life, affects, false, low, high, "", help)
+#define VIGIL_REAL(name, life, affects, value, low, high, help) \
+    VIGIL_ROW(name, Real, life, affects, false, low, high, "", help)
+#define VIGIL_CHOICE(name, life, affects, value, choices, help) \
+    VIGIL_ROW(name, Choice, life, affects, false, 0, choice_count(choices) - 1.0, choices, help)
+#define VIGIL_GPU_INTEGER(name, life, affects, value, low, high, help) \
+    VIGIL_ROW(name, Integer, life, affects, true, low, high, "", help)
+#define VIGIL_GPU_REAL(name, life, affects, value, low, high, help) \
+    VIGIL_ROW(name, Real, life, affects, true, low, high, "", help)
+#define VIGIL_GPU_CHOICE(name, life, affects, value, choices, help) \
+    VIGIL_ROW(name, Choice, life, affects, true, 0, choice_count(choices) - 1.0, choices, help)
+    VIGIL_PROGRAM_TABLE(VIGIL_STRING, VIGIL_INTEGER, VIGIL_REAL, VIGIL_CHOICE)
+    VIGIL_RENDERER_TABLE(VIGIL_STRING, VIGIL_INTEGER, VIGIL_REAL, VIGIL_CHOICE, VIGIL_GPU_INTEGER,
+                         VIGIL_GPU_REAL, VIGIL_GPU_CHOICE)
+#undef VIGIL_ROW
 #undef VIGIL_STRING
-#undef VIGIL_NUMBER_ROW
-#undef VIGIL_CHOICE_ROW
 #undef VIGIL_INTEGER
 #undef VIGIL_REAL
 #undef VIGIL_CHOICE
@@ -140,17 +104,13 @@ consteval int cvar_choice(std::string_view variable, std::string_view choice) {
     // From the table itself, not from cvar_infos: with -fsanitize=undefined GCC 12 does not take
     // the addresses of its elements for constants.
     int index = -1;
-#define VIGIL_STRING(name, life, value, help)
-#define VIGIL_NUMBER(name, life, value, low, high, help)
-#define VIGIL_CHOICE(name, life, value, choices, help)                                             \
+#define VIGIL_SKIP(...)
+#define VIGIL_CHOICE(name, life, affects, value, choices, help)                                    \
     if (variable == #name) index = choice_index(choices, choice);
-    VIGIL_CVAR_TABLE(VIGIL_STRING, VIGIL_NUMBER, VIGIL_NUMBER, VIGIL_CHOICE, VIGIL_NUMBER,
-                     VIGIL_NUMBER, VIGIL_CHOICE)
-#undef VIGIL_STRING
-#undef VIGIL_NUMBER
+    VIGIL_PROGRAM_TABLE(VIGIL_SKIP, VIGIL_SKIP, VIGIL_SKIP, VIGIL_CHOICE)
+#undef VIGIL_SKIP
 #undef VIGIL_CHOICE
-    if (index < 0) throw "no such variable or choice";
-    return index;
+    return index < 0 ? setting_choice(variable, choice) : index;
 }
 
 /// Holds the values. There is one for the program, cvars(); tests make their own.
@@ -173,7 +133,8 @@ public:
 
     /// Sets a variable that is known when compiling: set(&CvarValues::pt_spp, 4). Same checks as
     /// above.
-    template <typename T> void set(T CvarValues::*member, const std::type_identity_t<T>& value) {
+    template <typename T, typename Part>
+    void set(T Part::*member, const std::type_identity_t<T>& value) {
         set_member(member, value);
     }
 
@@ -186,13 +147,10 @@ public:
 
     /// Number of times that the value of this variable, or of any, became another one.
     std::uint64_t changes(std::string_view name) const;
-    template <typename T> std::uint64_t changes(T CvarValues::*member) const {
+    template <typename T, typename Part> std::uint64_t changes(T Part::*member) const {
         return states_[row_of(member)].changes;
     }
     std::uint64_t changes() const { return changes_; }
-
-    /// The fields that shaders read.
-    GpuCvars gpu_values() const;
 
     /// Lines `set NAME "VALUE"` for the archived variables that differ from their default.
     std::string archive_text() const;

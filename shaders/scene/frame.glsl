@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Set 0: the frame's parameters and per-pixel buffers, and the specialisation constants of the path tracer: a level pays
 // only for what it has.
-#ifndef VIGIL_PATHTRACE_FRAME_GLSL
-#define VIGIL_PATHTRACE_FRAME_GLSL
+#ifndef VIGIL_SCENE_FRAME_GLSL
+#define VIGIL_SCENE_FRAME_GLSL
 
 #include "shared/bindings.h"
 #include "shared/frame_params.h"

@@ -3,7 +3,7 @@
 // They work on a CommandRegistry and its variables; those of the game are added by the client.
 #pragma once
 
-#include "common/command.h"
+#include "console/command.h"
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The splitter of console text.
-#include "common/command_text.h"
+#include "console/command_text.h"
 
 #include <gtest/gtest.h>
 #include <random>

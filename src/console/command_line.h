@@ -3,7 +3,7 @@
 // words; what they do is up to the variables and commands.
 #pragma once
 
-#include "common/command.h"
+#include "console/command.h"
 
 #include <span>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Set 0: what a hit is made of. Declares the scene's buffers and turns them into texels; nothing here traces rays.
-#ifndef VIGIL_PATHTRACE_SCENE_GLSL
-#define VIGIL_PATHTRACE_SCENE_GLSL
+#ifndef VIGIL_SCENE_SCENE_GLSL
+#define VIGIL_SCENE_SCENE_GLSL
 
-#include "pathtrace/frame.glsl"
+#include "scene/frame.glsl"
 
 layout(set = SET_SCENE, binding = BINDING_INSTANCES, scalar) restrict readonly buffer InstanceBlock {
     Instance instances[];
@@ -53,12 +53,12 @@ ivec2 wrap_texel(ivec2 position, ivec2 size) {
 /// picture itself, as in renderers that only interpolate: smaller levels mix the reflectance of places that the light does not
 /// reach with that of places it does.
 vec3 sample_texture(Texture header, vec2 uv, float footprint) {
-    const bool full = frame.cvars.pt_texture_filter == 2;
+    const bool full = frame.settings.pt_texture_filter == 2;
     const float texels_wide = full ? 1.0 : footprint * float(max(header.width, header.height));
     const uint level = uint(clamp(int(round(log2(max(texels_wide, 1.0)))), 0, int(header.mip_count) - 1));
     const ivec2 size = max(ivec2(header.width, header.height) >> int(level), ivec2(1));
     const vec2 place = fract(uv) * vec2(size);
-    if (frame.cvars.pt_texture_filter == 0)
+    if (frame.settings.pt_texture_filter == 0)
         return fetch_texel(header, level, wrap_texel(ivec2(place), size));
     const vec2 corner = floor(place - 0.5);
     const vec2 weight = place - 0.5 - corner;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The commands about variables, commands and scripts themselves.
-#include "common/builtin_commands.h"
+#include "console/builtin_commands.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"

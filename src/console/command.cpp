@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Running scripts: takes commands one by one, expands `$name`, dispatches to commands, aliases and
 // variables, and catches what they throw. Completion is in completion.cpp.
-#include "common/command.h"
+#include "console/command.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"

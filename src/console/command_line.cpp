@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sorting the command line into early sets and commands.
-#include "common/command_line.h"
+#include "console/command_line.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""floors_test.py finds what it is to find, in folders made for it."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from floors_test import faults
+
+
+class Floors(unittest.TestCase):
+    def found(self, files: dict[str, str]) -> list[str]:
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder).resolve()
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            return faults(root)
+
+    def test_down_is_fine(self):
+        self.assertEqual(self.found({"src/common/a.h": "", "src/world/level.h": '#include "common/a.h"\n',
+                                     "src/refresh/vkpt/b.cpp": '#include "world/level.h"\n'}), [])
+
+    def test_up(self):
+        lines = self.found({"src/console/cvar.h": "", "src/refresh/vkpt/gpu/a.h": '#include "console/cvar.h"\n'})
+        self.assertEqual(len(lines), 1)
+        self.assertIn("not below", lines[0])
+
+    def test_circle(self):
+        lines = self.found({"shaders/light/a.glsl": '#include "b.glsl"\n', "shaders/light/b.glsl": '#include "light/a.glsl"\n'})
+        self.assertEqual(len(lines), 1)
+        self.assertIn("circle", lines[0])
+
+    def test_game_in_the_renderer(self):
+        lines = self.found({"src/world/game.h": "", "src/refresh/vkpt/a.cpp": '#include "world/game.h"\n'})
+        self.assertIn("level alone", lines[0])
+
+    def test_no_file_and_no_floor(self):
+        lines = self.found({"src/attic/a.h": "", "src/common/a.h": '#include "common/gone.h"\n'})
+        self.assertEqual(len(lines), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
