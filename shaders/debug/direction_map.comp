@@ -41,7 +41,7 @@ float sample_cell(uvec2 cell) {
     const vec2 uv = (vec2(cell) + random_next2(random)) / float(DIRECTION_MAP_EDGE);
     const vec3 direction = octahedral_decode(uv);
     const vec3 brought = arriving_radiance(load_primary_surface(hit), direction, random);
-    return admit(luminance(brought) / octahedral_density(direction));
+    return finite_or_zero(luminance(brought) / octahedral_density(direction));
 }
 
 void main() {

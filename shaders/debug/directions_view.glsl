@@ -5,9 +5,9 @@
 #define VIGIL_DEBUG_DIRECTIONS_VIEW_GLSL
 
 #include "debug/direction_map.glsl"
+#include "guiding/guider.glsl"
 #include "guiding/octree.glsl"
 #include "scene/surface.glsl"
-#include "shared/cdq.h"
 #include "shared/view_colors.h"
 
 /// A density per steradian on its scale.
@@ -15,15 +15,16 @@ vec3 density_color(float density) {
     return density > 0.0 ? color_map(density_on_scale(density)) : VIEW_EMPTY;
 }
 
-/// Density of the quadtree's draws; its leaves have borders where they are some pixels wide.
-vec3 quadtree_color(Surface surface, DirectionInset inset) {
-    if (CDQ_BITS == 0u) return VIEW_OFF;
-    const uvec4 tree = load_cdq(find_leaves(surface.position, previous_position(surface)).cache);
-    const CdqPlace place = cdq_find(tree, inset.uv);
-    const vec3 color = density_color(cdq_leaf_pdf(CDQ_BITS, place.depth, octahedral_decode(inset.uv)));
-    const float cells = float(1u << place.depth);
-    const bool border = any(lessThan(fract(inset.uv * cells), vec2(cells / float(inset.edge))));
-    return border && float(inset.edge) >= 5.0 * cells ? 0.7 * color : color;
+/// Density of the guider's draws.
+vec3 guide_color(Surface surface, DirectionInset inset) {
+#if GUIDES == 0
+    return VIEW_OFF;
+#else
+    const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
+    const Guide guide = guide_prepare(load_guide(found.cache));
+    const vec3 color = density_color(guide_pdf(guide, octahedral_decode(inset.uv)));
+    return guide_border(guide, inset.uv, float(inset.edge)) ? 0.7 * color : color;
+#endif
 }
 
 /// The light that arrives, as a density: divided by its integral over all directions.
@@ -38,7 +39,7 @@ vec3 arriving_color(DirectionInset inset) {
 
 vec3 inset_color(Surface surface, DirectionInset inset) {
     if (on_horizon(surface.normal, inset.uv, 1.0 / float(inset.edge))) return VIEW_HORIZON;
-    return inset.kind == INSET_QUADTREE ? quadtree_color(surface, inset) : arriving_color(inset);
+    return inset.kind == INSET_QUADTREE ? guide_color(surface, inset) : arriving_color(inset);
 }
 
 /// A cross around the crosshair's pixel, which stays free.

@@ -9,7 +9,7 @@
 #include "guiding/passes.glsl"
 
 // The host makes a work group one subgroup, if that has VLC_LEAST_LANES: barriers are cheap then, and most tables small.
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = CONSTANT_GROUP_SIZE) in;
 const uint LANES = gl_WorkGroupSize.x;
 
 shared uint table[VLC_TABLE_SIZE];          // keys, bucket after bucket of settings.bucket slots; NONE: free

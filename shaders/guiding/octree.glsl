@@ -32,7 +32,7 @@ struct SurfaceLeaves {
     uint samples;
 };
 
-uint leaf_word(uint array, uint width, uint leaf) { return leaf_array_word(array, width, leaf, guiding.node_capacity); }
+uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, guiding.node_capacity); }
 
 /// Walks down from a node at `depth` to the leaf that holds a smallest cell.
 uint find_leaf(uint node, uint depth, uvec3 grid) {
@@ -64,26 +64,26 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
 
 /// Stores a light sample (LIGHT_SAMPLE_*), if the leaf has room; counts it in any case.
 void store_light_sample(uint leaf, uint light_sample) {
-    const uint number = atomicAdd(leaves[leaf_word(LEAF_COUNT, 1u, leaf)], 1u);
-    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    const uint number = atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u);
+    const uint storage = leaf_word(LEAF_STORAGE, leaf);
     if (number >= leaves[storage + 1u]) return;
     light_samples[leaves[storage] + number] = light_sample;
 }
 
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
-void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, 1u, leaf)], 1u); }
+void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u); }
 
 /// Stores what a ray contributed, if it did and the leaf has room.
 void store_ray_sample(uint leaf, uvec2 grid, float contribution) {
     if (!(contribution > 0.0)) return;
-    const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, 1u, leaf)], 1u);
-    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, leaf)], 1u);
+    const uint storage = leaf_word(LEAF_STORAGE, leaf);
     if (number >= leaves[storage + 1u]) return;
     ray_samples[leaves[storage] + number] = ray_sample_pack(grid, contribution);
 }
 
-uvec4 load_cdq(uint leaf) {
-    const uint first = leaf_word(LEAF_CDQ, 4u, leaf);
+uvec4 load_guide(uint leaf) {
+    const uint first = leaf_word(LEAF_GUIDE, leaf);
     return uvec4(leaves[first], leaves[first + 1u], leaves[first + 2u], leaves[first + 3u]);
 }
 

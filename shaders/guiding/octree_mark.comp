@@ -25,17 +25,17 @@ void main() {
         // List it for the caches.
         if (count > 0u) {
             leaf_lists[atomicAdd(work.deduplicate_groups.x, 1u)] = leaf;
-            const uint room = old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf) + 1u];
+            const uint room = old_leaves[leaf_word(LEAF_STORAGE, leaf) + 1u];
             if (count > room) atomicAdd(work.dropped, count - room);
         }
-        const bool has_cache = settings.persist > 0u && old_leaves[leaf_word(LEAF_VLC, 2u, leaf) + 1u] > 0u;
+        const bool has_cache = settings.persist > 0u && old_leaves[leaf_word(LEAF_VLC, leaf) + 1u] > 0u;
         if (has_cache || count > 0u) {
             leaf_lists[leaf_capacity() + atomicAdd(work.merge_groups.x, 1u)] = leaf;
         } else {
-            const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+            const uint cache = leaf_word(LEAF_VLC, leaf);
             old_leaves[cache] = 0u;
             old_leaves[cache + 1u] = 0u;
-            old_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] = 0u;
+            old_leaves[leaf_word(LEAF_CACHED, leaf)] = 0u;
         }
     }
     if (sum > 0u) atomicAdd(work.samples, sum);

@@ -64,6 +64,22 @@ uint find_neighbour(OctreeCell cell, uint face) {
     return find_leaf(grid);
 }
 
+/// The words that a leaf has of its source.
+void carry(LeafArray array, uint leaf, uint source) {
+    for (uint word = 0u; word < array.words; ++word)
+        new_leaves[leaf_word(array, leaf) + word] = old_leaves[leaf_word(array, source) + word];
+}
+
+void zero(LeafArray array, uint leaf) {
+    for (uint word = 0u; word < array.words; ++word) new_leaves[leaf_word(array, leaf) + word] = 0u;
+}
+
+// By the table's last column; visible lights are 0 until samples are deduplicated.
+#define LEAF_MADE(array)
+#define LEAF_ZEROED(array) zero(array, leaf);
+#define LEAF_CARRIED(array) carry(array, leaf, source);
+#define FILL_ARRAY(name, words, before, value, new_leaf) new_leaf(name)
+
 void main() {
     const uint node = gl_GlobalInvocationID.x >> 3u;
     const uint child = gl_GlobalInvocationID.x & 7u;
@@ -93,32 +109,21 @@ void main() {
     barrier();
     if (node >= new_node_count) return;
 
-    new_leaves[leaf_word(LEAF_COUNT, 1u, leaf)] = 0u;
+    new_leaves[leaf_word(LEAF_COUNT, leaf)] = 0u;
     if (!is_leaf) return;
-    new_leaves[leaf_word(LEAF_VISIBLE, 1u, leaf)] = 0u; // until samples are deduplicated
     const uint first = min(group_first + before, header.sample_capacity);
-    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    const uint storage = leaf_word(LEAF_STORAGE, leaf);
     new_leaves[storage] = first;
     new_leaves[storage + 1u] = min(room, header.sample_capacity - first); // sums of floats may overshoot by a few
 
-    new_leaves[leaf_word(LEAF_SOURCE, 1u, leaf)] = source;
-    new_leaves[leaf_word(LEAF_RAYS, 1u, leaf)] = 0u;
-    for (uint word = 0u; word < 4u; ++word)
-        new_leaves[leaf_word(LEAF_CDQ, 4u, leaf) + word] = old_leaves[leaf_word(LEAF_CDQ, 4u, source) + word];
-    for (uint word = 0u; word < settings.sum_words; ++word)
-        new_leaves[leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, leaf) + word] =
-            old_leaves[leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, source) + word];
-    for (uint word = 0u; word < 2u; ++word)
-        new_leaves[leaf_word(LEAF_EXPLORE, 2u, leaf) + word] = old_leaves[leaf_word(LEAF_EXPLORE, 2u, source) + word];
-    const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
-    const uint old_cache = leaf_word(LEAF_VLC, 2u, source);
-    new_leaves[cache] = old_leaves[old_cache];
-    new_leaves[cache + 1u] = old_leaves[old_cache + 1u];
-    new_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] =
-        old_leaves[leaf_word(LEAF_CACHED, 1u, source)] | (split ? LEAF_INHERITED : 0u);
+    LEAF_ARRAY_TABLE(FILL_ARRAY)
+    carry(guide_memory(settings.memory_words), leaf, source);
+    new_leaves[leaf_word(LEAF_SOURCE, leaf)] = source;
+    new_leaves[leaf_word(LEAF_CACHED, leaf)] =
+        old_leaves[leaf_word(LEAF_CACHED, source)] | (split ? LEAF_INHERITED : 0u);
 
     const OctreeCell cell = octree_child_cell(octree_unpack_cell(new_cells[node]), child);
     if (leaf == octree_leaf(new_node_count - 1u, 7u)) work.depth = cell.depth; // the last leaf is a deepest
-    const uint neighbours = leaf_word(LEAF_NEIGHBOURS, 6u, leaf);
+    const uint neighbours = leaf_word(LEAF_NEIGHBOURS, leaf);
     for (uint face = 0u; face < 6u; ++face) new_leaves[neighbours + face] = find_neighbour(cell, face);
 }

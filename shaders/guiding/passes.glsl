@@ -4,6 +4,7 @@
 #ifndef VIGIL_GUIDING_PASSES_GLSL
 #define VIGIL_GUIDING_PASSES_GLSL
 
+#include "shared/bindings.h"
 #include "shared/guiding_types.h"
 #include "shared/octree.h"
 #include "shared/scene_types.h"
@@ -37,9 +38,9 @@ layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; 
 
 uint leaf_capacity() { return 8u * header.node_capacity; }
 
-uint leaf_word(uint array, uint width, uint leaf) { return leaf_array_word(array, width, leaf, header.node_capacity); }
+uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, header.node_capacity); }
 
-uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, 1u, leaf)]; }
+uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)]; }
 
 // Bits of a plan's marks: children to split, and whether the node itself collapses into a leaf.
 const uint MARK_SPLITS = 0xffu;

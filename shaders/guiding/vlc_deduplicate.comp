@@ -38,7 +38,7 @@ void remember_draws(uint leaf) {
         sums[1] += known[i];
         sums[2] += newly_found[i];
     }
-    const uint memory = leaf_word(LEAF_EXPLORE, 2u, leaf);
+    const uint memory = leaf_word(LEAF_EXPLORE, leaf);
     const uvec2 words = explore_pack(explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])),
                                                     sums[0], sums[1], sums[2], drawn, seen));
     old_leaves[memory] = words.x;
@@ -48,7 +48,7 @@ void remember_draws(uint leaf) {
 void main() {
     const uint lane = gl_LocalInvocationID.x;
     const uint leaf = leaf_lists[gl_WorkGroupID.x];
-    const uint storage = leaf_word(LEAF_STORAGE, 2u, leaf);
+    const uint storage = leaf_word(LEAF_STORAGE, leaf);
     const uint first = old_leaves[storage];
     const uint kept = min(old_leaf_count(leaf), old_leaves[storage + 1u]);
     const uint processed = min(kept, VLC_MOST_SAMPLES);
@@ -71,7 +71,7 @@ void main() {
     }
     barrier();
     if (lane != 0u) return;
-    old_leaves[leaf_word(LEAF_VISIBLE, 1u, leaf)] = found;
+    old_leaves[leaf_word(LEAF_VISIBLE, leaf)] = found;
     remember_draws(leaf);
     atomicAdd(work.sampled_leaves, 1u);
 }

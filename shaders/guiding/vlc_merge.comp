@@ -19,7 +19,7 @@ shared uint cache_first;
 /// The neighbour beyond a face, if this frame takes over its lights.
 uint find_neighbour(uint leaf, uint face) {
     if (((settings.merge_faces >> face) & 1u) == 0u) return NONE;
-    return old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, leaf) + face];
+    return old_leaves[leaf_word(LEAF_NEIGHBOURS, leaf) + face];
 }
 
 /// Looks up where the lists are: the leaf's own is list 0, its neighbours' are the next six. A subgroup may have fewer
@@ -31,8 +31,8 @@ void find_lists(uint leaf) {
         uint owner = leaf;
         if (list > 0u) owner = find_neighbour(leaf, list - 1u);
         if (owner != NONE) atomicAdd(samples, old_leaf_count(owner));
-        list_length[list] = owner == NONE || !used ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, 1u, owner)];
-        list_first[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, 2u, owner)];
+        list_length[list] = owner == NONE || !used ? 0u : old_leaves[leaf_word(LEAF_VISIBLE, owner)];
+        list_first[list] = owner == NONE ? 0u : old_leaves[leaf_word(LEAF_STORAGE, owner)];
     }
 }
 
@@ -77,9 +77,9 @@ void try_buckets(uint table_buckets, uint buckets_before) {
 void main() {
     const uint lane = gl_LocalInvocationID.x;
     const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
-    const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+    const uint cache = leaf_word(LEAF_VLC, leaf);
     const uint buckets_before = old_leaves[cache + 1u];
-    const uint cached_before = settings.persist > 0u ? old_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] : 0u;
+    const uint cached_before = settings.persist > 0u ? old_leaves[leaf_word(LEAF_CACHED, leaf)] : 0u;
     const uint lights_before = cached_before & ~LEAF_INHERITED;
     const uint first_before = old_leaves[cache];
     if (lane == 0u) {
@@ -122,7 +122,7 @@ void main() {
         cache_first = atomicAdd(work.vlc_used, buckets * settings.bucket);
         old_leaves[cache] = cache_first;
         old_leaves[cache + 1u] = buckets;
-        old_leaves[leaf_word(LEAF_CACHED, 1u, leaf)] = lights;
+        old_leaves[leaf_word(LEAF_CACHED, leaf)] = lights;
         if (buckets > 0u) atomicAdd(work.cached_leaves, 1u);
         atomicAdd(work.cached_lights, lights);
         atomicAdd(work.cached_buckets, buckets);

@@ -17,7 +17,7 @@ LtcSurface prepare_importance(Surface surface) {
 const float LIGHT_IMPORTANCE_MOST = 1e18;
 
 float light_importance(LtcSurface surface, uint light) {
-    return min(admit(ltc_importance(surface, lights[light], HAS_GLOSS)), LIGHT_IMPORTANCE_MOST);
+    return min(finite_or_zero(ltc_importance(surface, lights[light], HAS_GLOSS)), LIGHT_IMPORTANCE_MOST);
 }
 
 /// Solid angle times luminance of a light that can shine on a surface at this place, 0 for others: knows neither what the surface
@@ -28,7 +28,7 @@ float solid_angle_importance(vec3 position, vec3 normal, uint light) {
     if (!(brightness > 0.0)) return 0.0;
     // A corner above the surface's horizon.
     const float height = dot(normal, seen.v0 - position) + max(max(dot(normal, seen.e1), dot(normal, seen.e2)), 0.0);
-    return height > 0.0 ? min(admit(brightness * light_solid_angle(seen, position)), LIGHT_IMPORTANCE_MOST) : 0.0;
+    return height > 0.0 ? min(finite_or_zero(brightness * light_solid_angle(seen, position)), LIGHT_IMPORTANCE_MOST) : 0.0;
 }
 
 #endif

@@ -27,7 +27,7 @@ struct LightCache {
 };
 
 LightCache find_light_cache(uint leaf) {
-    const uint cache = leaf_word(LEAF_VLC, 2u, leaf);
+    const uint cache = leaf_word(LEAF_VLC, leaf);
     return LightCache(leaves[cache], leaves[cache + 1u]);
 }
 
@@ -108,7 +108,7 @@ struct Shares {
 /// Share of the draws that should walk lists, by what they found lately.
 float wanted_walks(uint leaf) {
     if (frame.settings.pt_vlc_adapt == 0) return 0.0;
-    const uint words = leaf_word(LEAF_EXPLORE, 2u, leaf);
+    const uint words = leaf_word(LEAF_EXPLORE, leaf);
     return explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
 }
 
@@ -188,7 +188,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     choice.memory.x = found.samples;
     choice.memory.y = from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED;
     if (from_list)
-        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_worth(admit(walk.reservoir.sum * float(search.list_stride)));
+        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_worth(finite_or_zero(walk.reservoir.sum * float(search.list_stride)));
     float importance = walk.sought_importance;
     if (from_cache || from_list) {
         choice.light = walk.reservoir.chosen;

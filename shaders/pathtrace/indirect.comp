@@ -10,8 +10,8 @@
 
 void learn_direction(Guided guided, vec3 brought) {
     // Brighter than a sample can say is as bright as it can.
-    if (CDQ_BITS != 0u && path_index == 0u)
-        store_ray_sample(guided.leaf, guided.grid, admit(min(luminance(brought), 1e15) * inversesqrt(guided.pdf)));
+    if (GUIDES != 0 && path_index == 0u)
+        store_ray_sample(guided.leaf, guided.grid, finite_or_zero(min(luminance(brought), 1e15) * inversesqrt(guided.pdf)));
 }
 
 vec3 trace_path(Surface surface, inout Random random) {

@@ -7,8 +7,8 @@
 #include "scene/firewall.glsl"
 #include "pathtrace/sky.glsl"
 #include "pathtrace/next_event.glsl"
+#include "guiding/guider.glsl"
 #include "guiding/octree.glsl"
-#include "shared/cdq.h"
 
 // Later hits see textures through a wide cone: their detail is averaged by the integral anyway.
 const float INDIRECT_SPREAD = 0.1;
@@ -26,31 +26,31 @@ struct Guided {
     float pdf;  // per steradian
 };
 
-/// Draws a direction by the BRDF, or, in a part of the draws, by the quadtree of the surface's leaf (paper, section 5.2). Its density
-/// is that of the mixture.
+/// Draws a direction by the BRDF, or, in a part of the draws, by the guider of the surface's leaf (paper, section 5.2). Its
+/// density is that of the mixture.
 vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
     const vec3 u = random_next3(random);
-    if (CDQ_BITS == 0u) {
-        const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, u);
-        seen = drawn.seen;
-        return drawn.direction;
-    }
+#if GUIDES == 0
+    const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, u);
+    seen = drawn.seen;
+    return drawn.direction;
+#else
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
-    const uvec4 tree = load_cdq(found.cache);
+    const Guide guide = guide_prepare(load_guide(found.cache));
     const float brdf_part = frame.settings.pt_cdq_brdf;
     vec3 direction;
     if (random_next(random) < brdf_part)
         direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
     else
-        direction = cdq_sample(tree, CDQ_BITS, u);
+        direction = guide_sample(guide, u);
     seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
-    const vec2 uv = octahedral_encode(direction);
-    seen.pdf = cdq_mixture_pdf(CDQ_BITS, cdq_find(tree, uv).depth, direction, seen.pdf, brdf_part);
+    seen.pdf = guide_mixture_pdf(guide_pdf(guide, direction), seen.pdf, brdf_part);
     guided.leaf = found.samples;
-    guided.grid = uvec2(uv * float(1u << CDQ_MAX_DEPTH));
+    guided.grid = ray_sample_cell(direction);
     guided.pdf = seen.pdf;
     if (STORES_LIGHT_SAMPLES == 0 && path_index == 0u) count_surface(found.samples);
     return direction;
+#endif
 }
 
 /// Sends a ray from `surface`. Returns false if the path ends there; `weight` is what the ray's radiance is multiplied with.
@@ -61,8 +61,8 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
     ray.t_min = 0.0;
     ray.t_max = 1e30;
     weight = vec3(0.0);
-    if (!(admit(seen.pdf) > 0.0)) return false;
-    weight = admit(seen.value / seen.pdf);
+    if (!(finite_or_zero(seen.pdf) > 0.0)) return false;
+    weight = finite_or_zero(seen.value / seen.pdf);
     return max(weight.x, max(weight.y, weight.z)) > 0.0;
 }
 
@@ -81,7 +81,7 @@ RayEnd follow_ray(Ray ray, bool light, inout Random random) {
     Hit hit;
     if (!trace_closest(ray, random_next_words(random).x, hit)) return end;
     const Vertex vertex = describe_hit(ray, hit, INDIRECT_SPREAD, false);
-    end.brought = admit(collect(vertex, ray.direction));
+    end.brought = finite_or_zero(collect(vertex, ray.direction));
     if (!vertex.lit || !light) return end;
     end.goes_on = true;
     end.surface = vertex.surface;

@@ -39,7 +39,7 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
                                                      surface.brdf, share, place);
         if (!(seen.geometry > 0.0)) continue;
         const vec3 value =
-            admit(brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry);
+            finite_or_zero(brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry);
         reservoir_add(reservoir, uint(i), max(value.x, max(value.y, value.z)));
         if (reservoir.chosen == uint(i)) choice = PointChoice(seen.point, value);
     }
@@ -54,7 +54,7 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, ou
     if (choice.light == NONE) return vec3(0.0);
     const Light light = lights[choice.light];
     const PointChoice seen = choose_point(surface, light, u.xy, u.z);
-    const vec3 value = admit(seen.value * light.radiance * choice.weight);
+    const vec3 value = finite_or_zero(seen.value * light.radiance * choice.weight);
     if (!(max(value.x, max(value.y, value.z)) > 0.0)) return vec3(0.0);
 
     // From just above the surface to just above the light.

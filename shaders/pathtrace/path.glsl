@@ -38,10 +38,10 @@ bool pixel_of_side_invocation(out uvec2 pixel, out uint index) {
 /// Adds to the pixel's sum of this frame, past the firewall.
 void add_radiance(uint index, vec3 value, bool first) {
     const vec3 before = first ? vec3(0.0) : radiance[index];
-    const vec3 sum = before + admit(value);
+    const vec3 sum = before + finite_or_zero(value);
     // Finite values may have a sum that is not.
-    const bool fits = is_sound(sum);
-    if (!fits) report_unsound();
+    const bool fits = is_finite_nonnegative(sum);
+    if (!fits) count_nonfinite();
     radiance[index] = fits ? sum : before;
 }
 

@@ -9,7 +9,7 @@
 #include "debug/view.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 15) const bool HAS_VIEW = true; // pt_view is on
+layout(constant_id = CONSTANT_VIEW) const bool HAS_VIEW = true; // pt_view is on
 
 vec3 reinhard(vec3 color) {
     const float white = 4.0;

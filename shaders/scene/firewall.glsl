@@ -10,21 +10,21 @@
 /// The pixel whose path this invocation traces; NONE in passes that trace none.
 uint firewall_pixel = NONE;
 
-void report_unsound() {
+void count_nonfinite() {
     // Stops below the top: a count that has come round to 0 would say that all is well.
     if (counters.nonfinite < 0xf0000000u) atomicAdd(counters.nonfinite, 1u);
     if (firewall_pixel != NONE) primary_hits[firewall_pixel].flags |= PRIMARY_HIT_NONFINITE;
 }
 
-float admit(float value) {
-    if (is_sound(value)) return value;
-    report_unsound();
+float finite_or_zero(float value) {
+    if (is_finite_nonnegative(value)) return value;
+    count_nonfinite();
     return 0.0;
 }
 
-vec3 admit(vec3 value) {
-    if (is_sound(value)) return value;
-    report_unsound();
+vec3 finite_or_zero(vec3 value) {
+    if (is_finite_nonnegative(value)) return value;
+    count_nonfinite();
     return vec3(0.0);
 }
 

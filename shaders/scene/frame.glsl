@@ -9,13 +9,13 @@
 #include "shared/scene_types.h"
 
 // Constants 0 and 1 belong to trace/trace.glsl.
-layout(constant_id = 8) const bool HAS_SKY = true;
-layout(constant_id = 9) const bool HAS_SUN = true;
-layout(constant_id = 10) const bool HAS_GLOSS = true;
-layout(constant_id = 11) const bool HAS_LIQUID = true; // warping or flowing textures
-layout(constant_id = 12) const bool HAS_ANIMATION = true; // animated textures
-layout(constant_id = 13) const bool HAS_LIGHTS = true;
-layout(constant_id = 14) const uint CDQ_BITS = 0u; // of the directional quadtrees that guide rays; 0: the BRDF alone
+layout(constant_id = CONSTANT_SKY) const bool HAS_SKY = true;
+layout(constant_id = CONSTANT_SUN) const bool HAS_SUN = true;
+layout(constant_id = CONSTANT_GLOSS) const bool HAS_GLOSS = true;
+layout(constant_id = CONSTANT_LIQUID) const bool HAS_LIQUID = true; // warping or flowing textures
+layout(constant_id = CONSTANT_ANIMATION) const bool HAS_ANIMATION = true; // animated textures
+layout(constant_id = CONSTANT_LIGHTS) const bool HAS_LIGHTS = true;
+layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u; // of what the guider keeps: guiding/guider.glsl
 
 layout(set = SET_SCENE, binding = BINDING_FRAME, scalar) uniform FrameBlock { FrameParams frame; };
 

@@ -31,6 +31,20 @@
 #define BINDING_ACCELERATION_STRUCTURE 19 // only with ray query: trace/trace_query.glsl
 #define SCENE_BINDING_COUNT 20
 
+// Specialisation constants, the same in every shader that has them.
+#define CONSTANT_INSTANCES 0   // models are placed: trace/trace.glsl
+#define CONSTANT_TRANSLUCENT 1 // some faces are: trace/trace.glsl
+#define CONSTANT_GROUP_SIZE 2  // invocations of a work group: guiding
+#define CONSTANT_GUIDER_SIZE 3 // of what the guider keeps: guiding/guider.glsl
+#define CONSTANT_SKY 8         // these six say what a level has: scene/frame.glsl
+#define CONSTANT_SUN 9
+#define CONSTANT_GLOSS 10
+#define CONSTANT_LIQUID 11    // warping or flowing textures
+#define CONSTANT_ANIMATION 12 // animated textures
+#define CONSTANT_LIGHTS 13
+#define CONSTANT_VIEW 14    // pt_view is on: post/tonemap.comp
+#define CONSTANT_ANY_HIT 15 // of a benchmark: trace/trace_rays.comp
+
 // Set 1 holds this many storage buffers; what they are is the technique's business (shaders/light/NAME.glsl).
 #define TECHNIQUE_BINDING_COUNT 6
 

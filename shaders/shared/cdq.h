@@ -164,12 +164,6 @@ SHADER_FN float cdq_leaf_pdf(uint bits, uint depth, vec3 direction) {
     return leaves_per_square / float(cdq_leaf_count(bits)) * octahedral_density(direction);
 }
 
-/// The same where `other_part` of the directions are drawn with the density `other` instead.
-SHADER_FN float cdq_mixture_pdf(uint bits, uint depth, vec3 direction, float other,
-                                float other_part) {
-    return mix(cdq_leaf_pdf(bits, depth, direction), other, other_part);
-}
-
 /// Density per steradian of `cdq_sample` at a direction.
 SHADER_FN float cdq_pdf(uvec4 tree, uint bits, vec3 direction) {
     return cdq_leaf_pdf(bits, cdq_find(tree, octahedral_encode(direction)).depth, direction);

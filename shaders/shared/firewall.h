@@ -10,13 +10,13 @@ SHADER_BEGIN
 
 /// Finite and not negative; -0 counts as 0. Asked of the bits: a driver may take it that floats are
 /// never NaN, and drop comparisons that look for them.
-SHADER_FN bool is_sound(float value) {
+SHADER_FN bool is_finite_nonnegative(float value) {
     const uint bits = floatBitsToUint(value);
     return bits <= 0x7f7fffffu || bits == 0x80000000u;
 }
 
-SHADER_FN bool is_sound(vec3 value) {
-    return is_sound(value.x) && is_sound(value.y) && is_sound(value.z);
+SHADER_FN bool is_finite_nonnegative(vec3 value) {
+    return is_finite_nonnegative(value.x) && is_finite_nonnegative(value.y) && is_finite_nonnegative(value.z);
 }
 
 SHADER_END

@@ -7,6 +7,7 @@
 
 #include "cdq.h"
 #include "glsl.h"
+#include "scene_types.h"
 
 SHADER_BEGIN
 
@@ -19,24 +20,39 @@ struct GuidingHeader {
     uint vlc_capacity;    // light ids that fit in all caches
 };
 
-/// Arrays by leaf, one after another in one buffer of words (structure of arrays). An array of w
-/// words per leaf that begins at word LEAF_X * leaf_capacity holds its leaf's words at w * leaf + 0
-/// .. w - 1.
-SHADER_CONST uint LEAF_COUNT = 0u;      // 1 word: surface samples that fell into the leaf
-SHADER_CONST uint LEAF_STORAGE = 1u;    // 2 words: first light sample, room for how many
-SHADER_CONST uint LEAF_VLC = 3u;        // 2 words: first light id of the cache, number of buckets
-SHADER_CONST uint LEAF_VISIBLE = 5u;    // 1 word: different lights among the leaf's visible samples
-SHADER_CONST uint LEAF_NEIGHBOURS = 6u; // 6 words: leaf beyond the faces -x +x -y +y -z +z, or NONE
-SHADER_CONST uint LEAF_SOURCE = 12u;    // 1 word: corresponding leaf of the tree before
-SHADER_CONST uint LEAF_CACHED =
-    13u; // 1 word: lights in the cache, and LEAF_INHERITED if they are those of a larger leaf
-SHADER_CONST uint LEAF_RAYS = 14u;  // 1 word: ray samples that fell into the leaf
-SHADER_CONST uint LEAF_CDQ = 15u;   // 4 words: directional quadtree (cdq.h)
-SHADER_CONST uint LEAF_EXPLORE = 19u; // 2 words: ExploreMemory
-SHADER_CONST uint LEAF_WORDS = 21u; // per leaf altogether, but for the next one:
-SHADER_CONST uint LEAF_SUMS = 21u;  // CDQ_SUM_WORDS words, only where rays are guided: what the
-                                    // quadtree's leaves contributed lately, two per word
-SHADER_CONST uint CDQ_SUM_WORDS = 64u;
+/// Arrays by leaf, one after another in one buffer of words (structure of arrays).
+struct LeafArray {
+    uint first; // the array begins at word first * number of leaves
+    uint words; // of a leaf
+#ifdef __cplusplus
+    constexpr LeafArray(uint from, uint width) : first(from), words(width) {}
+#endif
+};
+
+// The arrays: ROW(name, words, array before it, first value of each word, what a new leaf has).
+//   LEAF_MADE     what octree_populate.comp makes for it
+//   LEAF_ZEROED   0
+//   LEAF_CARRIED  what its source has, the leaf of the tree before that it comes from
+// clang-format off
+#define LEAF_ARRAY_TABLE(ROW) \
+    ROW(LEAF_COUNT, 1u, LEAF_BEGIN, 0u, LEAF_MADE) /* surface samples that fell into the leaf */ \
+    ROW(LEAF_STORAGE, 2u, LEAF_COUNT, 0u, LEAF_MADE) /* first light sample, room for how many */ \
+    ROW(LEAF_VLC, 2u, LEAF_STORAGE, 0u, LEAF_CARRIED) /* first light id of the cache, number of buckets */ \
+    ROW(LEAF_VISIBLE, 1u, LEAF_VLC, 0u, LEAF_ZEROED) /* different lights among the leaf's visible samples */ \
+    ROW(LEAF_NEIGHBOURS, 6u, LEAF_VISIBLE, NONE, LEAF_MADE) /* leaf beyond the faces -x +x -y +y -z +z, or NONE */ \
+    ROW(LEAF_SOURCE, 1u, LEAF_NEIGHBOURS, 0u, LEAF_MADE) /* its source */ \
+    ROW(LEAF_CACHED, 1u, LEAF_SOURCE, 0u, LEAF_MADE) /* lights in the cache; LEAF_INHERITED: of a larger leaf */ \
+    ROW(LEAF_RAYS, 1u, LEAF_CACHED, 0u, LEAF_ZEROED) /* ray samples that fell into the leaf */ \
+    ROW(LEAF_GUIDE, 4u, LEAF_RAYS, 0u, LEAF_CARRIED) /* what rays are drawn by: the guider's business */ \
+    ROW(LEAF_EXPLORE, 2u, LEAF_GUIDE, 0u, LEAF_CARRIED) /* ExploreMemory */
+// clang-format on
+SHADER_CONST LeafArray LEAF_BEGIN = LeafArray(0u, 0u);
+#define LEAF_CONSTANT(name, width, before, value, new_leaf)                                        \
+    SHADER_CONST LeafArray name = LeafArray(before.first + before.words, width);
+LEAF_ARRAY_TABLE(LEAF_CONSTANT)
+#undef LEAF_CONSTANT
+/// Words of a leaf altogether, but for its guider's memory (guide_memory), which is carried.
+SHADER_CONST uint LEAF_WORDS = LEAF_EXPLORE.first + LEAF_EXPLORE.words;
 
 SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
 
@@ -51,10 +67,13 @@ SHADER_FN float unpack_sum(uint word, uint half_index) {
     return uintBitsToFloat(half_index == 0u ? word << 16u : word & 0xffff0000u);
 }
 
-/// Index of a leaf's first word in the array of `width` words per leaf that begins at LEAF_`array`.
-SHADER_FN uint leaf_array_word(uint array, uint width, uint leaf, uint node_capacity) {
-    return array * (8u * node_capacity) + width * leaf;
+/// Index of a leaf's first word in an array.
+SHADER_FN uint leaf_array_word(LeafArray array, uint leaf, uint node_capacity) {
+    return array.first * (8u * node_capacity) + array.words * leaf;
 }
+
+/// The array after the table's: what a guider remembers beyond LEAF_GUIDE.
+SHADER_FN LeafArray guide_memory(uint words) { return LeafArray(LEAF_WORDS, words); }
 
 /// A light sample: light id, how it was drawn, a power of two that a draw from a list comes with, and one
 /// bit if the surface saw the light.
@@ -147,6 +166,11 @@ SHADER_FN uint ray_sample_pack(uvec2 grid, float contribution) {
     return grid.x | (grid.y << 12u) | (uint(steps) << 24u);
 }
 
+/// The cell of a direction (unit vector).
+SHADER_FN uvec2 ray_sample_cell(vec3 direction) {
+    return uvec2(octahedral_encode(direction) * float(1u << CDQ_MAX_DEPTH));
+}
+
 SHADER_FN uvec2 ray_sample_grid(uint packed_sample) {
     return uvec2(packed_sample & 0xfffu, (packed_sample >> 12u) & 0xfffu);
 }
@@ -184,17 +208,25 @@ struct GuidingSettings {
     uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;   // of a directional quadtree in a frame, at most
     float margin;      // how far a migration must pay off
-    uint memory_rays;  // a directional quadtree follows about so many of its last rays; 0: those of
-                       // the last frame
+    uint memory_rays;  // a guider follows about so many of a leaf's last rays; 0: those of the
+                       // last frame
     float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
-    uint sum_words;     // per leaf in use: CDQ_SUM_WORDS, or 0 without quadtrees or memory
+    uint memory_words;  // of the guider, per leaf; 0 without memory
 };
 
-/// Part of a directional quadtree's sums that is kept in a frame which brings `rays` new ones.
-SHADER_FN float cdq_kept(GuidingSettings settings, uint rays) {
-    if (settings.sum_words == 0u) return 0.0f;
+/// Density of directions of which `other_part` are drawn with the density `other`, the rest with that of the guider.
+SHADER_FN float guide_mixture_pdf(float guided, float other, float other_part) {
+    return mix(guided, other, other_part);
+}
+
+/// Part of what a guider learned that is kept in a frame which brings `rays` new ones.
+SHADER_FN float guide_kept(GuidingSettings settings, uint rays) {
+    if (settings.memory_rays == 0u) return 0.0f;
     return clamp(1.0f - float(rays) / float(settings.memory_rays), 0.0f, 0.98f);
 }
+
+/// Words that quadtrees remember: what their leaves contributed lately, two per word.
+SHADER_CONST uint CDQ_SUM_WORDS = 64u;
 
 /// The density that the BRDF adds to a quadtree's, in units in which that of a leaf is 4^depth.
 /// Rays of the BRDF are taken as spread evenly over a hemisphere; `brdf_part` of all rays are such.

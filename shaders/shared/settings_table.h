@@ -7,6 +7,7 @@
 #define VIGIL_SHARED_SETTINGS_TABLE_H
 
 #ifdef __cplusplus
+#include "shared/guiders.h"
 #include "shared/techniques.h"
 #include "shared/views.h"
 #endif
@@ -26,7 +27,7 @@
 //             life Start (console/command.h, Trust)
 // Affects, each with all that comes before it:
 //   Nothing    no pixel
-//   Display    how finished radiance is shown
+//   Display    how finished radiance is shown, or which of two techniques is seen where
 //   Picture    radiance: a running mean starts anew
 //   Reference  what a reference picture is kept for: one of another value is not used
 // GLSL sees only the names of the GPU_ rows; its preprocessor knows neither stringising nor
@@ -43,8 +44,8 @@
     CHOICE(pt_nee, Session, Picture, "vlc", technique_choices, \
         "how next event estimation chooses a light") \
     CHOICE(pt_compare, Session, Reference, "none", compare_choices, \
-        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, +cdq with guided rays") \
-    REAL(pt_compare_at, Session, Reference, 0.5, 0.0, 1.0, \
+        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, +cdq or +lobe with guided rays") \
+    REAL(pt_compare_at, Session, Display, 0.5, 0.0, 1.0, \
         "where pt_compare splits the picture, in parts of its width; 0: all of it is the right side, 1: the left") \
     CHOICE(pt_trace, Session, Reference, "auto", "auto|bvh|query", \
         "rays by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
@@ -100,15 +101,16 @@
         "vlc: weight of a light's appearing, moving or brightening when looking for lights") \
     REAL(pt_explore_distance, Session, Reference, 1.0, 0.0, 1e6, \
         "vlc: weight of being near the camera when looking for lights") \
-    CHOICE(pt_guide, Session, Reference, "cdq", "brdf|cdq", \
-        "how indirect rays are drawn: by the BRDF alone, or also by quadtrees of directions that brought light") \
+    CHOICE(pt_guide, Session, Reference, "cdq", guider_choices, \
+        "how indirect rays are drawn: by the BRDF alone, or also by what learned which directions bring light") \
     CHOICE(pt_cdq_bits, Session, Reference, "128", "32|64|96|128", \
         "cdq: size of a quadtree; 25, 49, 73 or 97 leaves") \
-    GPU_REAL(pt_cdq_brdf, Session, Reference, 0.5, 0.0, 1.0, "cdq: share of rays drawn by the BRDF; 0: all by quadtrees") \
+    GPU_REAL(pt_cdq_brdf, Session, Reference, 0.5, 0.0, 1.0, \
+        "cdq, lobe: share of rays drawn by the BRDF; 0: all by what was learned") \
     REAL(pt_cdq_margin, Session, Reference, 0.25, 0.0, 1.0, \
         "cdq: a quadtree is refined where this share of a leaf's contribution exceeds what is given up") \
     INTEGER(pt_cdq_rays, Session, Reference, 512, 0, 1000000, \
-        "cdq: a quadtree follows about so many rays, near and recent ones; 0: its own of one frame, as the paper") \
+        "cdq, lobe: a leaf follows about so many rays, near and recent ones; 0: its own of one frame, as the paper") \
     INTEGER(pt_cdq_migrations, Session, Reference, 4, 0, 16, "cdq: refinements of a quadtree per frame, at most") \
     GPU_REAL(pt_sky_scale, Session, Reference, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, Reference, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \

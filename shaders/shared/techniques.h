@@ -18,6 +18,9 @@
 
 #ifdef __cplusplus
 
+#include "shared/guiders.h"
+
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,28 +54,24 @@ inline constexpr TechniqueInfo technique_infos[] = {
 #undef VIGIL_TECHNIQUE_INFO
 };
 
-/// What `pt_compare` holds: "none|sll|sll+cdq|...".
-inline constexpr std::string_view compare_choices =
-    "none"
-#define VIGIL_COMPARE_CHOICE(name, help) "|" #name "|" #name "+cdq"
-    VIGIL_TECHNIQUE_TABLE(VIGIL_COMPARE_CHOICE)
-#undef VIGIL_COMPARE_CHOICE
-    ;
-
-/// A technique, and whether quadtrees of directions guide its indirect rays.
+/// A technique, and what guides its indirect rays.
 struct TechniqueRow {
     Technique technique = Technique::sll;
-    bool guided = false;
+    Guide guide = Guide::brdf;
     bool operator==(const TechniqueRow&) const = default;
 };
 
-/// The row that tables of measurements and `pt_compare` call "NAME", or "NAME+cdq" with guided rays; nothing if no technique is
-/// called NAME.
+/// The row that tables of measurements and `pt_compare` call "NAME", or "NAME+GUIDER" with guided
+/// rays; nothing if no technique or guider is called so.
 constexpr std::optional<TechniqueRow> find_technique_row(std::string_view name) {
-    constexpr std::string_view suffix = "+cdq";
     TechniqueRow row;
-    row.guided = name.ends_with(suffix);
-    if (row.guided) name.remove_suffix(suffix.size());
+    if (const auto plus = name.find('+'); plus != std::string_view::npos) {
+        for (const GuiderInfo& info : guider_infos)
+            if (info.name == name.substr(plus + 1))
+                row.guide = static_cast<Guide>(&info - guider_infos);
+        if (row.guide == Guide::brdf) return std::nullopt;
+        name = name.substr(0, plus);
+    }
     for (const TechniqueInfo& info : technique_infos) {
         if (info.name == name) {
             row.technique = static_cast<Technique>(&info - technique_infos);
@@ -84,9 +83,39 @@ constexpr std::optional<TechniqueRow> find_technique_row(std::string_view name) 
 
 /// The name that find_technique_row() finds.
 inline std::string technique_row_name(const TechniqueRow& row) {
-    const std::string_view name = technique_infos[static_cast<int>(row.technique)].name;
-    return std::string(name) + (row.guided ? "+cdq" : "");
+    std::string name(technique_infos[static_cast<int>(row.technique)].name);
+    if (row.guide == Guide::brdf) return name;
+    name += '+';
+    return name += guider_infos[static_cast<int>(row.guide)].name;
 }
+
+/// What `pt_compare` holds: "none|sll|sll+cdq|...".
+inline constexpr auto compare_choice_text = [] {
+    constexpr auto write = [](char* to) {
+        std::size_t length = 0;
+        const auto add = [&](std::string_view text) {
+            for (const char c : text) {
+                if (to != nullptr) to[length] = c;
+                ++length;
+            }
+        };
+        add("none");
+        for (const TechniqueInfo& technique : technique_infos)
+            for (const GuiderInfo& guider : guider_infos) {
+                add("|");
+                add(technique.name);
+                if (&guider == guider_infos) continue; // the BRDF alone
+                add("+");
+                add(guider.name);
+            }
+        return length;
+    };
+    std::array<char, write(nullptr)> text{};
+    write(text.data());
+    return text;
+}();
+inline constexpr std::string_view compare_choices{compare_choice_text.data(),
+                                                  compare_choice_text.size()};
 
 } // namespace vigil
 

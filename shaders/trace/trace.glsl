@@ -10,9 +10,9 @@
 #include "../shared/bvh.h"
 
 /// False: the scene is instance 0 alone, in place; the top level is neither bound nor walked.
-layout(constant_id = 0) const bool HAS_INSTANCES = true;
+layout(constant_id = CONSTANT_INSTANCES) const bool HAS_INSTANCES = true;
 /// False: every triangle is opaque and no coverage test is compiled.
-layout(constant_id = 1) const bool HAS_TRANSLUCENT = true;
+layout(constant_id = CONSTANT_TRANSLUCENT) const bool HAS_TRANSLUCENT = true;
 
 #if TRACE_QUERY
 #include "trace_query.glsl"

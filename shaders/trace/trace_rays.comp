@@ -11,7 +11,7 @@
 layout(local_size_x = 64) in;
 
 /// False: the closest hit of each ray. True: only whether anything stops it.
-layout(constant_id = 8) const bool ANY_HIT = false;
+layout(constant_id = CONSTANT_ANY_HIT) const bool ANY_HIT = false;
 
 layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer Rays {
     Ray rays[];

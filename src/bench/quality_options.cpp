@@ -73,15 +73,17 @@ QualityRow parse_variant(std::string_view text) {
 QualityRow technique_row(std::string_view name) {
     const std::optional<TechniqueRow> row = find_technique_row(name);
     if (!row)
-        fail("{}: no such technique; known are {}, each also with +cdq", name, technique_choices);
+        fail("{}: no such technique; known are {}, each also with + and one of {}", name,
+             technique_choices, guider_choices);
     const std::string_view technique = technique_infos[static_cast<size_t>(row->technique)].name;
     return {std::string(name),
-            {{"pt_nee", std::string(technique)}, {"pt_guide", row->guided ? "cdq" : "brdf"}}};
+            {{"pt_nee", std::string(technique)},
+             {"pt_guide", std::string(guider_infos[static_cast<size_t>(row->guide)].name)}}};
 }
 
 bool is_guided(const QualityRow& row) {
     return std::ranges::any_of(row.settings, [](const Setting& setting) {
-        return setting.name == "pt_guide" && setting.value == "cdq";
+        return setting.name == "pt_guide" && setting.value != "brdf";
     });
 }
 

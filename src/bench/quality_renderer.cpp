@@ -35,10 +35,10 @@ std::filesystem::path folder_of(const QualityOptions& options, const std::string
     fail("maps/{}.bsp is in none of the folders (--basedir FOLDER names one)", level);
 }
 
-std::uint64_t shader_hash(const std::string& technique) {
+std::uint64_t shader_hash(const std::string& technique, const std::string& guider) {
     std::uint64_t hash = hash_bytes({});
     for (const std::string& name :
-         {std::string("primary"), "direct." + technique, "indirect." + technique})
+         {std::string("primary"), "direct." + technique, "indirect." + technique + "." + guider})
         for (const char* backend : {"", ".query"})
             hash = hash_bytes(std::as_bytes(vkpt::shader_code(name + backend)), hash);
     return hash;
@@ -229,10 +229,11 @@ std::string QualityRenderer::reference_key(const Pose& pose, const QualityRow& r
         return cvars().get_text(name);
     };
     const std::string technique = value_of("pt_nee");
-    std::string key = fmt::format(
-        "{} {:016x} at {} {} {} angles {} {} {} time {} by {} {:016x} paths {}", level_name_,
-        content_hash_, pose.origin.x, pose.origin.y, pose.origin.z, pose.angles.x, pose.angles.y,
-        pose.angles.z, pose.time_s, technique, shader_hash(technique), reference_batch_paths);
+    std::string key =
+        fmt::format("{} {:016x} at {} {} {} angles {} {} {} time {} by {} {:016x} paths {}",
+                    level_name_, content_hash_, pose.origin.x, pose.origin.y, pose.origin.z,
+                    pose.angles.x, pose.angles.y, pose.angles.z, pose.time_s, technique,
+                    shader_hash(technique, value_of("pt_guide")), reference_batch_paths);
     key += turned_;
     for (const CvarInfo& info : cvar_infos) {
         if (info.affects != Affects::Reference) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/trace_rig.h"
 
+#include "shaders/vigil_trace_rig_shaders.inc"
 #include "shared/bindings.h"
 
 #include <array>
@@ -9,9 +10,6 @@
 namespace vigil::bench {
 
 namespace {
-
-#include "shaders/trace_rays.h"       // uint32_t shader_trace_rays[]
-#include "shaders/trace_rays_texel.h" // uint32_t shader_trace_rays_texel[]
 
 constexpr std::array<VkDescriptorType, 3> ray_types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
@@ -71,12 +69,12 @@ void TraceRig::finish(bool translucent) {
     layout_ =
         gpu::make_pipeline_layout(device_, std::array{scene_set_.layout(), layout_set_.layout()});
     const std::span<const std::uint32_t> code =
-        texels ? std::span<const std::uint32_t>(shader_trace_rays_texel)
-               : std::span<const std::uint32_t>(shader_trace_rays);
+        texels ? std::span(shader_trace_rays_texel, shader_trace_rays_texel_end)
+               : std::span(shader_trace_rays, shader_trace_rays_end);
     const auto make = [&](bool any_hit) {
-        const std::array constants{gpu::Specialization{0, !instances_.empty()},
-                                   gpu::Specialization{1, translucent},
-                                   gpu::Specialization{8, any_hit}};
+        const std::array constants{gpu::Specialization{CONSTANT_INSTANCES, !instances_.empty()},
+                                   gpu::Specialization{CONSTANT_TRANSLUCENT, translucent},
+                                   gpu::Specialization{CONSTANT_ANY_HIT, any_hit}};
         return gpu::ComputePipeline(device_, layout_.get(), nullptr, code, constants, "rays");
     };
     closest_ = make(false);

@@ -51,7 +51,7 @@ constexpr MenuAction actions[] = {
     {"Line to the left", "comparemove -0.05"},
     {"Line to the right", "comparemove 0.05"},
     {"Next technique", "toggle pt_nee"},
-    {"Guided rays", "toggle pt_guide"},
+    {"Guided rays", "toggle pt_guide brdf cdq"},
     {"Next view", "viewnext"},
     {"Statistics", "toggle scr_stats"},
     {"Full screen", "toggle vid_fullscreen"},

@@ -20,8 +20,8 @@ constexpr Group groups[] = {{refresh::PassGroup::PathTracing, "path tracing"},
 } // namespace
 
 std::string technique_text(const CvarRegistry& variables) {
-    std::string text = technique_row_name({static_cast<Technique>(variables->pt_nee),
-                                           variables->pt_guide == cvar_choice("pt_guide", "cdq")});
+    std::string text = technique_row_name(
+        {static_cast<Technique>(variables->pt_nee), static_cast<Guide>(variables->pt_guide)});
     if (variables->pt_compare != 0) text += " | " + variables.get_text("pt_compare");
     return text;
 }

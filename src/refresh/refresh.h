@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -90,6 +91,25 @@ struct Particle {
     glm::vec3 color{1.0f}; // linear, 0..1; there should be few different ones
 };
 
+/// Index of a registered picture.
+using PictureHandle = int;
+inline constexpr PictureHandle no_picture = -1;
+
+/// A rectangle of the screen, drawn over the world: a part of a picture, scaled to it without a
+/// filter, or a colour alone. Later ones cover earlier ones. Corners and sizes are in pixels, from
+/// the top left; what lies outside the clip rectangle or the screen is not drawn.
+struct Draw {
+    PictureHandle picture = no_picture;
+    glm::ivec2 corner{0};
+    glm::ivec2 size{0};
+    glm::vec2 from{0.0f}; // the part of the picture: 0..1, from its top left
+    glm::vec2 to{1.0f};
+    glm::vec4 color{
+        1.0f}; // factor on its colours (sRGB-encoded) and opacity; the colour without a picture
+    glm::ivec2 clip_corner{0};
+    glm::ivec2 clip_size{std::numeric_limits<int>::max()};
+};
+
 /// Radiance that stands for what the first Quake II draws at full brightness (docs/units.md).
 inline constexpr float particle_radiance = 20.0f;
 
@@ -106,6 +126,7 @@ struct Frame {
     std::span<const Spot> spots;
     std::span<const Particle> particles;
     std::array<float, light_style_count> light_styles{};
+    std::span<const Draw> draws;   // part of the picture; also before a level is loaded, over black
     ImDrawData* overlay = nullptr; // console and menus, drawn over the picture; may be null
     bool uncapped = false;         // the display is not waited for, whatever vid_vsync says
 };
@@ -200,6 +221,12 @@ public:
     /// Handle of "*3" (brush model), "models/x.md2" or "models/x.glb"; loads it on first use.
     /// Throws Error naming the file and the fault.
     virtual ModelHandle register_model(std::string_view name) = 0;
+
+    /// Handle of a picture for Draw, any image file ("pics/tag1.pcx", "textures/a.png"); loads it
+    /// on first use. Levels come and go, pictures stay. Throws Error naming the file and the fault.
+    virtual PictureHandle register_picture(std::string_view name) = 0;
+    /// Its size in texels. Throws Error if there is no such picture.
+    virtual glm::ivec2 picture_size(PictureHandle picture) const = 0;
 
     /// Renders one frame and, with a window, presents it. Does nothing visible
     /// before a level is loaded (the overlay still shows). Returns the frame's number, counted from

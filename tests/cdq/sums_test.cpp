@@ -24,11 +24,11 @@ TEST(QuadtreeSums, AreStoredToHalfAPercent) {
 // Rounding must not hold up what fades: a sum that nothing is added to halves in time.
 TEST(QuadtreeSums, FadeAsTheyShould) {
     GuidingSettings settings{};
-    settings.sum_words = CDQ_SUM_WORDS;
+    settings.memory_words = CDQ_SUM_WORDS;
     settings.memory_rays = 1024;
     uint word = pack_sums(1.0f, 1e-3f);
     for (int frame = 0; frame < 100; ++frame) {
-        const float kept = cdq_kept(settings, 40);
+        const float kept = guide_kept(settings, 40);
         word = pack_sums(kept * unpack_sum(word, 0), kept * unpack_sum(word, 1));
     }
     const double expected = std::pow(1.0 - 40.0 / 1024.0, 100);
@@ -39,12 +39,12 @@ TEST(QuadtreeSums, FadeAsTheyShould) {
 TEST(QuadtreeSums, KeepLessTheMoreRaysThereAre) {
     GuidingSettings settings{};
     settings.memory_rays = 1000;
-    EXPECT_EQ(cdq_kept(settings, 10), 0.0f) << "no sums, no memory";
-    settings.sum_words = CDQ_SUM_WORDS;
-    EXPECT_FLOAT_EQ(cdq_kept(settings, 250), 0.75f);
-    EXPECT_EQ(cdq_kept(settings, 1000), 0.0f);
-    EXPECT_EQ(cdq_kept(settings, 1000000), 0.0f);
-    EXPECT_FLOAT_EQ(cdq_kept(settings, 0), 0.98f) << "nothing is for ever";
+    EXPECT_EQ(guide_kept(settings, 10), 0.0f) << "no sums, no memory";
+    settings.memory_words = CDQ_SUM_WORDS;
+    EXPECT_FLOAT_EQ(guide_kept(settings, 250), 0.75f);
+    EXPECT_EQ(guide_kept(settings, 1000), 0.0f);
+    EXPECT_EQ(guide_kept(settings, 1000000), 0.0f);
+    EXPECT_FLOAT_EQ(guide_kept(settings, 0), 0.98f) << "nothing is for ever";
 }
 
 TEST(QuadtreeSums, TheBrdfsRaysAreTwiceAsDenseAsAnEvenSphere) {

@@ -220,7 +220,7 @@ refresh::FrameTimes times_of(double tracing, double preparation, double other) {
     return {0,
             {{"primary", tracing / 2, refresh::PassGroup::PathTracing},
              {"direct", tracing / 2, refresh::PassGroup::PathTracing},
-             {"cdq_adapt", preparation, refresh::PassGroup::Preparation},
+             {"guide_adapt", preparation, refresh::PassGroup::Preparation},
              {"tonemap", other, refresh::PassGroup::Other}},
             {}};
 }

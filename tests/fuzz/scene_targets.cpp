@@ -158,7 +158,7 @@ void check_lists(const LightLists& lists, const Level& level, uint32_t light_cou
 void check_lights(const Level& level, const LightSet& lights) {
     for (const shader::Light& light : lights.lights())
         require(finite(light.v0) && finite(light.e1) && finite(light.e2) &&
-                    shader::is_sound(light.radiance),
+                    shader::is_finite_nonnegative(light.radiance),
                 "a light is not finite");
     std::vector<LightTriangle> triangles;
     for (uint32_t id = 0; id < lights.lights().size(); ++id) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The pass `cdq_adapt` against a plain implementation: from random quadtrees and random rays in the
-// leaves of an octree it makes the quadtrees that the oracle makes. Each test also demands that the
-// case it is named after occurred.
+// The pass `guide_adapt` of `cdq` against a plain implementation: from random quadtrees and random
+// rays in the leaves of an octree it makes the quadtrees that the oracle makes. Each test also
+// demands that the case it is named after occurred.
 #include "guiding_fixture.h"
 #include "numerics/record.h"
 #include "random_rays.h"

@@ -86,7 +86,9 @@ void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t pictur
 
 void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     settings_ = settings;
-    guiding().prepare({glm::uvec2(picture_size_), settings, cdq_bits_});
+    const vkpt::GuideChoice guide =
+        cdq_bits_ > 0 ? vkpt::GuideChoice{Guide::cdq, cdq_bits_} : vkpt::GuideChoice{};
+    guiding().prepare({glm::uvec2(picture_size_), settings, guide});
 
     // The first frame starts from a tree that exists nowhere yet.
     frame_ = 0;
@@ -107,8 +109,8 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
             EXPECT_EQ(field_of(leaf.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
     }
     for (uint32_t leaf = 0; leaf < 8; ++leaf) {
-        EXPECT_EQ(seen.at(shader::LEAF_VLC, 2, leaf, 1), 0u) << "leaf " << leaf;
-        EXPECT_EQ(seen.at(shader::LEAF_CACHED, 1, leaf), 0u) << "leaf " << leaf;
+        EXPECT_EQ(seen.at(shader::LEAF_VLC, leaf, 1), 0u) << "leaf " << leaf;
+        EXPECT_EQ(seen.at(shader::LEAF_CACHED, leaf), 0u) << "leaf " << leaf;
     }
     const Disagreements storage = compare_storage({""}, seen, guiding().header().sample_capacity);
     EXPECT_TRUE(storage.empty()) << storage.text();

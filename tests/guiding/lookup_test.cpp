@@ -118,7 +118,7 @@ protected:
             uint64_t{8} * LEAF_WORDS * guiding().header().node_capacity);
         std::vector<uint32_t> untouched = state_.samples;
         for (auto& [path, leaf] : state_.leaves) {
-            leaf.count = TreeWords{{}, {}, leaves}.at(LEAF_COUNT, 1, numbers.leaf(path));
+            leaf.count = TreeWords{{}, {}, leaves}.at(LEAF_COUNT, numbers.leaf(path));
             std::vector<uint32_t>& expected = stored[path];
             ASSERT_EQ(leaf.count, expected.size()) << "leaf " << path;
             const auto first = state_.samples.begin() + leaf.first_sample;

@@ -50,7 +50,7 @@ size_t lights_in(const Cache& cache) {
 glm::uvec4 quadtree_at(const TreeWords& words, uint32_t leaf) {
     glm::uvec4 field;
     for (uint32_t word = 0; word < 4; ++word)
-        field[static_cast<int>(word)] = words.at(LEAF_CDQ, 4, leaf, word);
+        field[static_cast<int>(word)] = words.at(LEAF_GUIDE, leaf, word);
     return field;
 }
 
@@ -64,7 +64,7 @@ Sums sums_at(const TreeWords& words, uint32_t leaf, const Squares& inner) {
     Sums sums;
     uint32_t node = 0;
     for (const Path& square : nodes_of(inner)) {
-        const uint32_t word = words.at(LEAF_SUMS, CDQ_SUM_WORDS, leaf, node / 2);
+        const uint32_t word = words.at(guide_memory(CDQ_SUM_WORDS), leaf, node / 2);
         if (!inner.contains(square))
             sums[square] = static_cast<double>(std::bit_cast<float>(word >> sum_half(node) << 16));
         ++node;
@@ -77,7 +77,7 @@ void store_sums(const LeafState& leaf, uint32_t number, TreeWords& words) {
     uint32_t node = 0;
     for (const Path& square : nodes_of(leaf.quadtree)) {
         if (const auto sum = leaf.remembered.find(square); sum != leaf.remembered.end()) {
-            uint32_t& word = words.at(LEAF_SUMS, CDQ_SUM_WORDS, number, node / 2);
+            uint32_t& word = words.at(guide_memory(CDQ_SUM_WORDS), number, node / 2);
             const auto bits = std::bit_cast<uint32_t>(static_cast<float>(sum->second));
             word = (word & ~(0xffffu << sum_half(node))) | bits >> 16 << sum_half(node);
         }
@@ -114,7 +114,7 @@ uint32_t two_halves(double low, double high) {
 Explored explored_at(const TreeWords& words, uint32_t leaf) {
     const auto number = [&](uint32_t word, uint32_t shift) {
         return static_cast<double>(
-            std::bit_cast<float>(words.at(LEAF_EXPLORE, 2, leaf, word) << shift & 0xffff0000u));
+            std::bit_cast<float>(words.at(LEAF_EXPLORE, leaf, word) << shift & 0xffff0000u));
     };
     return {number(0, 16), number(0, 0), number(1, 16), number(1, 0)};
 }
@@ -131,11 +131,11 @@ uint32_t TreeWords::node_capacity() const {
     return static_cast<uint32_t>(cells.size() / 2);
 }
 
-uint32_t& TreeWords::at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i) {
-    return leaves.at(leaf_array_word(array, width, leaf, node_capacity()) + i);
+uint32_t& TreeWords::at(const shader::LeafArray& array, uint32_t leaf, uint32_t i) {
+    return leaves.at(leaf_array_word(array, leaf, node_capacity()) + i);
 }
-uint32_t TreeWords::at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i) const {
-    return leaves.at(leaf_array_word(array, width, leaf, node_capacity()) + i);
+uint32_t TreeWords::at(const shader::LeafArray& array, uint32_t leaf, uint32_t i) const {
+    return leaves.at(leaf_array_word(array, leaf, node_capacity()) + i);
 }
 
 Numbering::Numbering(const InnerNodes& inner) {
@@ -170,26 +170,26 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
     }
     for (const auto& [path, leaf] : state.leaves) {
         const uint32_t number = numbers.leaf(path);
-        words.at(LEAF_COUNT, 1, number) = leaf.count;
-        words.at(LEAF_VISIBLE, 1, number) = 0; // as populate left it
-        words.at(LEAF_STORAGE, 2, number, 0) = leaf.first_sample;
-        words.at(LEAF_STORAGE, 2, number, 1) = leaf.room;
-        words.at(LEAF_VLC, 2, number, 0) = leaf.first_light;
-        words.at(LEAF_VLC, 2, number, 1) = leaf.buckets;
-        words.at(LEAF_CACHED, 1, number) =
+        words.at(LEAF_COUNT, number) = leaf.count;
+        words.at(LEAF_VISIBLE, number) = 0; // as populate left it
+        words.at(LEAF_STORAGE, number, 0) = leaf.first_sample;
+        words.at(LEAF_STORAGE, number, 1) = leaf.room;
+        words.at(LEAF_VLC, number, 0) = leaf.first_light;
+        words.at(LEAF_VLC, number, 1) = leaf.buckets;
+        words.at(LEAF_CACHED, number) =
             static_cast<uint32_t>(leaf.cached.size()) + (leaf.inherited ? LEAF_INHERITED : 0);
         const Explored& explored = leaf.explored;
-        words.at(LEAF_EXPLORE, 2, number, 0) = two_halves(explored.listed, explored.known);
-        words.at(LEAF_EXPLORE, 2, number, 1) = two_halves(explored.found, explored.share);
+        words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.known);
+        words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.found, explored.share);
         if (!state.rays.empty()) {
-            words.at(LEAF_RAYS, 1, number) = leaf.rays;
+            words.at(LEAF_RAYS, number) = leaf.rays;
             const glm::uvec4 field = field_of(leaf.quadtree);
             for (uint32_t word = 0; word < 4; ++word)
-                words.at(LEAF_CDQ, 4, number, word) = field[static_cast<int>(word)];
+                words.at(LEAF_GUIDE, number, word) = field[static_cast<int>(word)];
             if (!leaf.remembered.empty()) store_sums(leaf, number, words);
         }
         for (int face = 0; face < 6; ++face)
-            words.at(LEAF_NEIGHBOURS, 6, number, face) =
+            words.at(LEAF_NEIGHBOURS, number, face) =
                 neighbour_number(state.inner, numbers, path, face);
     }
     return words;
@@ -231,14 +231,14 @@ Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
     for (const auto& [leaf, source] : expected.source) {
         const uint32_t number = numbers.leaf(leaf);
         const std::string where = name(leaf, numbers);
-        check(where, "count", 0, seen.at(LEAF_COUNT, 1, number));
-        check(where, "ray samples", 0, seen.at(LEAF_RAYS, 1, number));
-        check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, 1, number));
-        check(where, "source", old_numbers.leaf(source), seen.at(LEAF_SOURCE, 1, number));
+        check(where, "count", 0, seen.at(LEAF_COUNT, number));
+        check(where, "ray samples", 0, seen.at(LEAF_RAYS, number));
+        check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, number));
+        check(where, "source", old_numbers.leaf(source), seen.at(LEAF_SOURCE, number));
         for (int face = 0; face < 6; ++face)
             check(where, fmt::format("neighbour {}", face).c_str(),
                   neighbour_number(expected.inner, numbers, leaf, face),
-                  seen.at(LEAF_NEIGHBOURS, 6, number, face));
+                  seen.at(LEAF_NEIGHBOURS, number, face));
     }
     return found;
 }
@@ -251,8 +251,8 @@ Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
     const auto least = static_cast<uint32_t>(sample_capacity / 4 / leaves.size());
     std::vector<Range> ranges;
     for (const Path& leaf : leaves) {
-        const uint32_t first = seen.at(LEAF_STORAGE, 2, numbers.leaf(leaf), 0);
-        const uint32_t room = seen.at(LEAF_STORAGE, 2, numbers.leaf(leaf), 1);
+        const uint32_t first = seen.at(LEAF_STORAGE, numbers.leaf(leaf), 0);
+        const uint32_t room = seen.at(LEAF_STORAGE, numbers.leaf(leaf), 1);
         if (room < least)
             found.add(fmt::format("{}: room: expected at least {}, seen {}", name(leaf, numbers),
                                   least, room));
@@ -273,7 +273,7 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
         const std::string where = name(leaf, numbers);
 
         // Lights of its own.
-        const uint32_t visible = seen_old.at(LEAF_VISIBLE, 1, number);
+        const uint32_t visible = seen_old.at(LEAF_VISIBLE, number);
         if (visible != cache.own.size())
             found.add(fmt::format("{}: visible lights: expected {}, seen {}", where,
                                   cache.own.size(), visible));
@@ -287,12 +287,12 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
                                       cache.explored.*value, explored.*value));
 
         // Buckets.
-        const uint32_t cached = seen_old.at(LEAF_CACHED, 1, number);
+        const uint32_t cached = seen_old.at(LEAF_CACHED, number);
         if (cached != cache.ages.size())
             found.add(fmt::format("{}: cached lights: expected {}, seen {}", where,
                                   cache.ages.size(), cached));
-        const uint32_t first = seen_old.at(LEAF_VLC, 2, number, 0);
-        const uint32_t buckets = seen_old.at(LEAF_VLC, 2, number, 1);
+        const uint32_t first = seen_old.at(LEAF_VLC, number, 0);
+        const uint32_t buckets = seen_old.at(LEAF_VLC, number, 1);
         if (buckets != cache.buckets.size()) {
             found.add(fmt::format("{}: buckets: expected {}, seen {}", where, cache.buckets.size(),
                                   buckets));
@@ -328,32 +328,32 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
     for (const auto& [leaf, source] : expected.source) {
         const uint32_t from = old_numbers.leaf(source);
         const uint32_t to = numbers.leaf(leaf);
-        const uvec2 want(seen_old.at(LEAF_VLC, 2, from, 0), seen_old.at(LEAF_VLC, 2, from, 1));
-        const uvec2 got(seen.at(LEAF_VLC, 2, to, 0), seen.at(LEAF_VLC, 2, to, 1));
+        const uvec2 want(seen_old.at(LEAF_VLC, from, 0), seen_old.at(LEAF_VLC, from, 1));
+        const uvec2 got(seen.at(LEAF_VLC, to, 0), seen.at(LEAF_VLC, to, 1));
         if (want.y != got.y || (want.y > 0 && want.x != got.x))
             found.add(fmt::format("{}: cache: expected {} buckets at {} of old {}, seen {} at {}",
                                   name(leaf, numbers), want.y, want.x, name(source, old_numbers),
                                   got.y, got.x));
         for (uint32_t word = 0; word < 4; ++word)
-            if (seen.at(LEAF_CDQ, 4, to, word) != seen_old.at(LEAF_CDQ, 4, from, word))
+            if (seen.at(LEAF_GUIDE, to, word) != seen_old.at(LEAF_GUIDE, from, word))
                 found.add(fmt::format("{}: quadtree word {}: expected {:#x} of old {}, seen {:#x}",
                                       name(leaf, numbers), word,
-                                      seen_old.at(LEAF_CDQ, 4, from, word),
-                                      name(source, old_numbers), seen.at(LEAF_CDQ, 4, to, word)));
+                                      seen_old.at(LEAF_GUIDE, from, word),
+                                      name(source, old_numbers), seen.at(LEAF_GUIDE, to, word)));
         for (uint32_t word = 0; remember && word < CDQ_SUM_WORDS; ++word)
-            if (seen.at(LEAF_SUMS, CDQ_SUM_WORDS, to, word) !=
-                seen_old.at(LEAF_SUMS, CDQ_SUM_WORDS, from, word))
+            if (seen.at(guide_memory(CDQ_SUM_WORDS), to, word) !=
+                seen_old.at(guide_memory(CDQ_SUM_WORDS), from, word))
                 found.add(fmt::format("{}: sums, word {}: not those of old {}", name(leaf, numbers),
                                       word, name(source, old_numbers)));
         for (uint32_t word = 0; word < 2; ++word)
-            if (seen.at(LEAF_EXPLORE, 2, to, word) != seen_old.at(LEAF_EXPLORE, 2, from, word))
+            if (seen.at(LEAF_EXPLORE, to, word) != seen_old.at(LEAF_EXPLORE, from, word))
                 found.add(fmt::format("{}: explored, word {}: not that of old {}",
                                       name(leaf, numbers), word, name(source, old_numbers)));
         const uint32_t cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size()) +
                                 (leaf.size() > source.size() ? LEAF_INHERITED : 0);
-        if (seen.at(LEAF_CACHED, 1, to) != cached)
+        if (seen.at(LEAF_CACHED, to) != cached)
             found.add(fmt::format("{}: cached lights, inherited: expected {:#x}, seen {:#x}",
-                                  name(leaf, numbers), cached, seen.at(LEAF_CACHED, 1, to)));
+                                  name(leaf, numbers), cached, seen.at(LEAF_CACHED, to)));
     }
     return found;
 }
@@ -455,13 +455,13 @@ TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const Tre
     for (const auto& [path, source] : tree.source) {
         const uint32_t number = numbers.leaf(path);
         LeafState& leaf = state.leaves[path];
-        leaf.first_sample = seen.at(LEAF_STORAGE, 2, number, 0);
-        leaf.room = seen.at(LEAF_STORAGE, 2, number, 1);
+        leaf.first_sample = seen.at(LEAF_STORAGE, number, 0);
+        leaf.room = seen.at(LEAF_STORAGE, number, 1);
         leaf.inherited = path.size() > source.size();
         leaf.explored = explored_at(seen, number);
         const auto cache = caches.by_leaf.find(source);
         if (cache == caches.by_leaf.end()) continue;
-        leaf.first_light = seen.at(LEAF_VLC, 2, number, 0);
+        leaf.first_light = seen.at(LEAF_VLC, number, 0);
         leaf.buckets = static_cast<uint32_t>(cache->second.buckets.size());
         leaf.cached = cache->second.ages;
     }

@@ -19,9 +19,9 @@ struct TreeWords {
 
     /// `sums`: with those that quadtrees remember.
     static TreeWords sized(uint32_t node_capacity, bool sums);
-    /// Word `i` of the `width` words that `array` (LEAF_...) has for a leaf.
-    uint32_t& at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i = 0);
-    uint32_t at(uint32_t array, uint32_t width, uint32_t leaf, uint32_t i = 0) const;
+    /// Word `i` of those that `array` has for a leaf.
+    uint32_t& at(const shader::LeafArray& array, uint32_t leaf, uint32_t i = 0);
+    uint32_t at(const shader::LeafArray& array, uint32_t leaf, uint32_t i = 0) const;
 
 private:
     uint32_t node_capacity() const;

@@ -73,7 +73,7 @@ void expect_consistent(const Light& light, Random& random, int draws) {
             vec2 u = random_next2(random);
             if (i < 4) u = vec2(i & 1 ? below_one : 0.0f, i & 2 ? below_one : 0.0f);
             const LightSample seen = sample_light(light, near, vec3(0.0f), u);
-            ASSERT_TRUE(is_sound(seen.pdf) && is_sound(seen.geometry) && is_sound(seen.distance));
+            ASSERT_TRUE(is_finite_nonnegative(seen.pdf) && is_finite_nonnegative(seen.geometry) && is_finite_nonnegative(seen.distance));
             ASSERT_EQ(seen.pdf > 0.0f, seen.geometry > 0.0f);
             if (!(seen.pdf > 0.0f)) continue;
             ASSERT_NEAR(seen.pdf * seen.geometry, 1.0f, 1e-6f);
@@ -91,7 +91,7 @@ double score_of_mean(const Light& light, Random& random, int draws) {
     for (int i = 0; i < draws; ++i) {
         const LightSample seen = sample_light(light, near, vec3(0.0f), random_next2(random));
         const float value = std::max(seen.direction.z, 0.0f) * INVERSE_PI * seen.geometry;
-        EXPECT_TRUE(is_sound(value));
+        EXPECT_TRUE(is_finite_nonnegative(value));
         mean.add(double(value));
     }
     // Seen edge-on, a dot product loses as many digits as its cosine is small.
@@ -116,7 +116,7 @@ TEST(Lights, AreasOverSixteenPowersOfTen) {
             const double exact = exact_form_factor(light);
             const LtcSurface surface = ltc_prepare_diffuse(vec3(0.0f), up, 0.5f);
             const float importance = ltc_importance(surface, light, false);
-            ASSERT_TRUE(is_sound(importance));
+            ASSERT_TRUE(is_finite_nonnegative(importance));
             if (exact > 0.0) {
                 ASSERT_GT(importance, 0.0f) << size << " at " << distance;
             }
@@ -139,7 +139,7 @@ TEST(Lights, SliversAndNone) {
                 facing({{3, -2, 40}, along, i % 2 == 0 ? along + across : across, vec3(1.0f)});
             ASSERT_NO_FATAL_FAILURE(expect_consistent(light, random, 16));
             if (i % 2 == 1) scores.add(score_of_mean(light, random, 4000));
-            ASSERT_TRUE(is_sound(light_power(light)));
+            ASSERT_TRUE(is_finite_nonnegative(light_power(light)));
             const vec3 normal = light_normal(light);
             ASSERT_TRUE(length(normal) == 0.0f || std::abs(length(normal) - 1.0f) < 1e-5f);
         }
@@ -229,7 +229,7 @@ TEST(Lights, RadianceOverManyPowersOfTen) {
         const float radiance = std::pow(10.0f, 24.0f * random_next(random) - 12.0f);
         light.radiance = vec3(radiance);
         const float importance = ltc_importance(surface, light, false);
-        ASSERT_TRUE(is_sound(importance));
+        ASSERT_TRUE(is_finite_nonnegative(importance));
         if (one > 0.0f) {
             ASSERT_GT(importance, 0.0f);
             proportion.add(relative_error(double(importance), double(one) * double(radiance)));
@@ -241,7 +241,7 @@ TEST(Lights, RadianceOverManyPowersOfTen) {
            "importance positive, and in proportion to 8 * 2^-24", proportion.text() + " * 2^-24");
     // All of them in one table: each keeps a chance.
     for (const AliasEntry& entry : build_alias_table(powers))
-        ASSERT_TRUE(is_sound(entry.pdf) && entry.pdf > 0.0f);
+        ASSERT_TRUE(is_finite_nonnegative(entry.pdf) && entry.pdf > 0.0f);
     record("lights", "radiance 1e-12 to 1e12 mixed in one table", "each is drawn at times", "");
 }
 
@@ -259,11 +259,11 @@ TEST(Lights, AnyBits) {
              {LIGHT_DENSITY_AUTO, LIGHT_DENSITY_AREA, LIGHT_DENSITY_SOLID_ANGLE}) {
             const SphericalTriangle near = near_light(light, position, density);
             const LightSample seen = sample_light(light, near, position, random_next2(random));
-            ASSERT_TRUE(is_sound(seen.geometry) && is_sound(seen.pdf)) << seen.geometry;
+            ASSERT_TRUE(is_finite_nonnegative(seen.geometry) && is_finite_nonnegative(seen.pdf)) << seen.geometry;
             positive += seen.pdf > 0.0f ? 1 : 0;
         }
-        ASSERT_TRUE(is_sound(light_power(light)));
-        ASSERT_TRUE(is_sound(light_solid_angle(light, position)));
+        ASSERT_TRUE(is_finite_nonnegative(light_power(light)));
+        ASSERT_TRUE(is_finite_nonnegative(light_solid_angle(light, position)));
     }
     EXPECT_GT(positive, 0);
     record("lights", "corners and points of any bits: infinite, NaN, denormal, 1e38",

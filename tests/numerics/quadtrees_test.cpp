@@ -35,7 +35,7 @@ TEST(Quadtrees, DeepestChainsOfEverySize) {
                     u = vec3(i & 1 ? below_one : 0, i & 2 ? below_one : 0, i & 4 ? below_one : 0);
                 const vec3 direction = cdq_sample(field, bits, u);
                 const float pdf = cdq_pdf(field, bits, direction);
-                ASSERT_TRUE(is_sound(pdf) && pdf > 0.0f);
+                ASSERT_TRUE(is_finite_nonnegative(pdf) && pdf > 0.0f);
                 const Quadtree::Node& leaf = tree.find(dvec2(octahedral_encode(direction)));
                 deepest = std::max(deepest, leaf.depth);
                 // The density from the square's size and the exact Jacobian.
@@ -90,10 +90,9 @@ TEST(Quadtrees, ASunSmallerThanTheSmallestLeaf) {
                     continue;
                 }
                 ++hits;
-                const float pdf =
-                    cdq_mixture_pdf(bits, cdq_find(field, octahedral_encode(direction)).depth,
-                                    direction, cosine_hemisphere_pdf(direction.z), brdf_part);
-                ASSERT_TRUE(is_sound(pdf) && pdf > 0.0f);
+                const float pdf = guide_mixture_pdf(cdq_pdf(field, bits, direction),
+                                                    cosine_hemisphere_pdf(direction.z), brdf_part);
+                ASSERT_TRUE(is_finite_nonnegative(pdf) && pdf > 0.0f);
                 mean.add(1.0 / double(pdf));
             }
             // A cone so small is some units in the last place wide: its size counts to a percent.
@@ -115,7 +114,7 @@ TEST(Quadtrees, SharesOfZeroAndOne) {
     for (const uint bits : cdq_sizes)
         for (const float brdf_part : {0.0f, 1e-7f, 0.5f, below_one, 1.0f}) {
             const float even = cdq_even_density(bits, brdf_part);
-            ASSERT_TRUE(is_sound(even));
+            ASSERT_TRUE(is_finite_nonnegative(even));
         }
     EXPECT_EQ(cdq_even_density(128, 0.0f), 0.0f);
     // A mixture with a share of exactly 0 or 1 is one of its parts, to the last bit.
@@ -125,14 +124,12 @@ TEST(Quadtrees, SharesOfZeroAndOne) {
         const uvec4 field = tree_towards(bits, dvec2(0.3, 0.61)).field();
         for (int i = 0; i < 1000; ++i) {
             const vec3 direction = cdq_sample(field, bits, random_next3(random));
-            const uint depth = cdq_find(field, octahedral_encode(direction)).depth;
             const float pdf = cdq_pdf(field, bits, direction);
             for (const float other : {0.0f, 1.1e-7f, 0.318f, 3.7e30f}) {
-                ASSERT_EQ(cdq_mixture_pdf(bits, depth, direction, other, 0.0f), pdf);
-                ASSERT_EQ(cdq_mixture_pdf(bits, depth, direction, other, 1.0f), other);
-                error.add(
-                    relative_error(double(cdq_mixture_pdf(bits, depth, direction, other, 0.25f)),
-                                   0.75 * double(pdf) + 0.25 * double(other)));
+                ASSERT_EQ(guide_mixture_pdf(pdf, other, 0.0f), pdf);
+                ASSERT_EQ(guide_mixture_pdf(pdf, other, 1.0f), other);
+                error.add(relative_error(double(guide_mixture_pdf(pdf, other, 0.25f)),
+                                         0.75 * double(pdf) + 0.25 * double(other)));
             }
         }
     }

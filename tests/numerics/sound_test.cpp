@@ -27,13 +27,13 @@ TEST(Firewall, AdmitsWhatIsFiniteAndNotNegative) {
     uint words = 0;
     for (uint64_t bits = 0; bits <= UINT32_MAX; bits += step, ++words) {
         const float value = any_float(static_cast<uint32_t>(bits));
-        ASSERT_EQ(is_sound(value), std::isfinite(value) && !(value < 0.0f)) << bits;
+        ASSERT_EQ(is_finite_nonnegative(value), std::isfinite(value) && !(value < 0.0f)) << bits;
     }
     for (uint exponent = 0; exponent < 256; ++exponent)
         for (const uint sign : {0u, 0x80000000u})
             for (const uint mantissa : {0u, 1u, 0x400000u, 0x7fffffu}) {
                 const float value = any_float(sign | exponent << 23 | mantissa);
-                ASSERT_EQ(is_sound(value), std::isfinite(value) && !(value < 0.0f));
+                ASSERT_EQ(is_finite_nonnegative(value), std::isfinite(value) && !(value < 0.0f));
             }
     record("the firewall", "all exponents and signs, NaN, infinity, -0, denormals",
            "finite and not negative, asked of the bits", "");
@@ -87,14 +87,14 @@ TEST(Packing, SumsOfSquaredContributionsCannotOverflow) {
     const double largest = double(ray_sample_contribution(ray_sample_pack(uvec2(0), INFINITY)));
     const double rays = CDQ_MOST_RAYS + 6.0 * CDQ_MOST_NEIGHBOUR_RAYS;
     GuidingSettings settings{};
-    settings.sum_words = CDQ_SUM_WORDS;
+    settings.memory_words = CDQ_SUM_WORDS;
     settings.memory_rays = 1000000;
-    const double kept = double(cdq_kept(settings, 0));
+    const double kept = double(guide_kept(settings, 0));
     EXPECT_LE(kept, 0.98 + 1e-6);
     const double sum = rays * largest * largest / (1.0 - kept);
-    EXPECT_LT(sum, 1e37); // what cdq_adapt clamps sums to
-    EXPECT_TRUE(is_sound(unpack_sum(pack_sums(1e37f, 3e38f), 0)));
-    EXPECT_TRUE(is_sound(unpack_sum(pack_sums(1e37f, 3e38f), 1)));
+    EXPECT_LT(sum, 1e37); // what cdq clamps sums to
+    EXPECT_TRUE(is_finite_nonnegative(unpack_sum(pack_sums(1e37f, 3e38f), 0)));
+    EXPECT_TRUE(is_finite_nonnegative(unpack_sum(pack_sums(1e37f, 3e38f), 1)));
     record("directional quadtree",
            "squared contributions of all rays at the format's top, for ever", "sums below 1e37",
            fmt::format("{:.1g}", sum));
@@ -128,9 +128,9 @@ TEST(ExploreMemory, StaysSoundForAnySums) {
                                     amount(3.8e22f), amount(INFINITY), any_word(random) % 4096u,
                                     any_word(random) % 4096u);
             memory = explore_unpack(explore_pack(memory));
-            ASSERT_TRUE(is_sound(memory.listed) && is_sound(memory.known) &&
-                        is_sound(memory.found));
-            ASSERT_TRUE(is_sound(memory.share) && memory.share <= EXPLORE_MOST * 1.01f)
+            ASSERT_TRUE(is_finite_nonnegative(memory.listed) && is_finite_nonnegative(memory.known) &&
+                        is_finite_nonnegative(memory.found));
+            ASSERT_TRUE(is_finite_nonnegative(memory.share) && memory.share <= EXPLORE_MOST * 1.01f)
                 << memory.share;
         }
     }

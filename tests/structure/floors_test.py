@@ -32,7 +32,7 @@ FLOORS = [
 ]
 HEIGHT = {folder: height for height, floor in enumerate(FLOORS) for folder in floor}
 PART_OF = {"src/world/actors": "src/world"}  # one floor in two folders
-MADE = re.compile(r"^(shaders/(vigil_vkpt_|trace_rays)|selected_technique\.glsl)")  # in the build folder
+MADE = re.compile(r"^(shaders/\w+_(shaders|rows)\.inc|selected_\w+\.glsl)$")  # in the build folder
 # The renderer reads levels, and knows nothing of the game that moves them.
 WORLD_FOR_RENDERER = {"src/world/level.h", "src/world/pvs.h"}
 

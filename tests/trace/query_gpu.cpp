@@ -119,8 +119,8 @@ std::vector<shader::TraceAnswer> QueryGpu::trace(Backend backend, std::span<cons
     const std::span<const uint32_t> code = backend == Backend::Query
                                                ? std::span<const uint32_t>(query_query)
                                                : std::span<const uint32_t>(query_bvh);
-    const std::array constants{gpu::Specialization{0, instances},
-                               gpu::Specialization{1, translucent}};
+    const std::array constants{gpu::Specialization{CONSTANT_INSTANCES, instances},
+                               gpu::Specialization{CONSTANT_TRANSLUCENT, translucent}};
     const gpu::ComputePipeline pipeline(device_, layout.get(), nullptr, code, constants, "query");
 
     const VkCommandBuffer buffer = commands.commands();

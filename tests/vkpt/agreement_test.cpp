@@ -3,6 +3,7 @@
 // clusters, the sky box's geometry, texture look-ups and the orientation of textures on walls.
 #include "formats/bsp_query.h"
 #include "formats/image.h"
+#include "formats/picture_bytes.h"
 #include "formats/sky.h"
 #include "refresh/vkpt/scene/transform.h"
 #include "render_test.h"
@@ -261,24 +262,11 @@ Image marked_picture() {
     return image;
 }
 
-std::vector<uint8_t> write_tga(const Image& image) {
-    std::vector<uint8_t> bytes{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-    for (const uint32_t size : {image.width, image.height}) {
-        bytes.push_back(static_cast<uint8_t>(size & 255));
-        bytes.push_back(static_cast<uint8_t>(size >> 8));
-    }
-    bytes.push_back(24);
-    bytes.push_back(0x20); // rows from the top
-    for (size_t i = 0; i < image.rgba.size(); i += 4)
-        bytes.insert(bytes.end(), {image.rgba[i + 2], image.rgba[i + 1], image.rgba[i]});
-    return bytes;
-}
-
 class Textures : public Agreement {
 protected:
     void SetUp() override {
         Agreement::SetUp();
-        write_game_file("textures/test/marked.tga", write_tga(picture_));
+        write_game_file("textures/test/marked.tga", write_tga(picture_, {2, 24, 0x20}));
         // On the walls of the court, in place of sand.
         load("opensky", [](Level& level) {
             for (BspTexInfo* info : texinfos_of(level, "test/sand"))

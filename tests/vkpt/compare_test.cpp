@@ -27,7 +27,7 @@ protected:
                                double at = 0.5) {
         const TechniqueRow left = find_technique_row(row).value();
         set("pt_nee", technique_infos[static_cast<size_t>(left.technique)].name);
-        set("pt_guide", left.guided ? "cdq" : "brdf");
+        set("pt_guide", guider_infos[static_cast<size_t>(left.guide)].name);
         set("pt_compare", compared);
         set("pt_compare_at", fmt::format("{}", at));
         load("rooms");
@@ -66,8 +66,8 @@ protected:
 
 TEST(TechniqueRows, HaveNamesThatFindThem) {
     for (size_t i = 0; i < std::size(technique_infos); ++i) {
-        for (const bool guided : {false, true}) {
-            const TechniqueRow row{static_cast<Technique>(i), guided};
+        for (size_t guide = 0; guide < std::size(guider_infos); ++guide) {
+            const TechniqueRow row{static_cast<Technique>(i), static_cast<Guide>(guide)};
             const std::string name = technique_row_name(row);
             EXPECT_EQ(find_technique_row(name), row) << name;
             EXPECT_GT(choice_index(compare_choices, name), 0) << name;
@@ -76,6 +76,8 @@ TEST(TechniqueRows, HaveNamesThatFindThem) {
     EXPECT_FALSE(find_technique_row("none"));
     EXPECT_FALSE(find_technique_row("+cdq"));
     EXPECT_FALSE(find_technique_row("sll+cdq+cdq"));
+    EXPECT_FALSE(find_technique_row("sll+brdf"));
+    EXPECT_FALSE(find_technique_row("sll+"));
     EXPECT_FALSE(find_technique_row(""));
 }
 
@@ -225,7 +227,7 @@ TEST_F(Compare, TimesOfBothSidesAreCounted) {
         return std::ranges::any_of(
             times.back().passes, [&](const refresh::PassTime& pass) { return pass.name == name; });
     };
-    EXPECT_TRUE(has("cdq_adapt")); // only the right side's
+    EXPECT_TRUE(has("guide_adapt")); // only the right side's
     EXPECT_TRUE(has("vlc_merge"));
     EXPECT_TRUE(has("direct"));
     EXPECT_FALSE(times.back().counts.empty());

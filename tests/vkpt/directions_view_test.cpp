@@ -127,7 +127,7 @@ TEST_F(DirectionsView, QuadtreeIsThatOfTheLeaf) {
     const shader::PrimaryHit hit = crosshair_hit();
     ASSERT_NE(hit.primitive, shader::NONE);
     const vkpt::TreeCopy trees(renderer().device(), renderer().guiding());
-    const glm::uvec4 tree = trees.leaf_at(hit.position, 32).cdq;
+    const glm::uvec4 tree = trees.leaf_at(hit.position, 32).guide;
     std::set<uint32_t> depths;
     size_t horizon = 0;
     each_pixel(shader::INSET_QUADTREE, [&](const auto& inset, const glm::vec3& color) {

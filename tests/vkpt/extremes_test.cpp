@@ -157,7 +157,7 @@ TEST_F(Extremes, FrameCountersOfYears) {
         const std::vector<float> first = trace(frame, renderer().scene()->features(), 4);
         frame.accumulated = number;
         const std::vector<float> mean = trace(frame, renderer().scene()->features(), 4);
-        EXPECT_TRUE(all_sound(mean));
+        EXPECT_TRUE(all_finite_nonnegative(mean));
         EXPECT_NEAR(sum_of(mean), sum_of(first), 1e-4 * sum_of(first));
     }
     record("counters that wrap", "frame 2^32 - 1 (2.3 years at 60 per second), averaged or not",
@@ -176,7 +176,7 @@ TEST_F(Extremes, OnePixel) {
     renderer().path_tracer().bind(*renderer().scene(), *renderer().technique());
     const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 64);
     ASSERT_EQ(pixel.size(), 3u);
-    EXPECT_TRUE(all_sound(pixel));
+    EXPECT_TRUE(all_finite_nonnegative(pixel));
     EXPECT_GT(pixel[0], 0.0f);
     EXPECT_EQ(radiance(shot).rgb.size(), size_t{3} * 48 * 32); // and back
     record("sizes", "one pixel", "lit, finite");

@@ -57,15 +57,15 @@ protected:
             gpu::download_now_as<uint32_t>(renderer().device(), tree.nodes, 0, 1 + capacity);
         for (uint32_t leaf = 0; leaf < 8 * nodes[0]; ++leaf) {
             if ((nodes[1 + leaf / 8] >> leaf % 8 & 1u) == 0u) continue; // an inner node
-            const auto expect_sound = [&](uint32_t array, uint32_t width, uint32_t count) {
-                const uint32_t first = shader::leaf_array_word(array, width, leaf, capacity);
+            const auto expect_finite = [&](const shader::LeafArray& array, uint32_t count) {
+                const uint32_t first = shader::leaf_array_word(array, leaf, capacity);
                 for (uint32_t word = first; word < first + count; ++word)
                     for (const uint32_t half : {0u, 1u})
-                        ASSERT_TRUE(shader::is_sound(shader::unpack_sum(words[word], half)))
+                        ASSERT_TRUE(shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
                             << "leaf " << leaf;
             };
-            expect_sound(shader::LEAF_EXPLORE, 2, 2);
-            if (bits > 0) expect_sound(shader::LEAF_SUMS, shader::CDQ_SUM_WORDS, bits / 2);
+            expect_finite(shader::LEAF_EXPLORE, 2);
+            if (bits > 0) expect_finite(shader::guide_memory(shader::CDQ_SUM_WORDS), bits / 2);
         }
     }
 
@@ -87,7 +87,7 @@ TEST_F(Firewall, CountsShowsAndStopsWhatTheSkyBrings) {
         frame.settings.pt_view = shader::VIEW_NONFINITE;
         frame.sky_radiance = glm::vec3(planted);
         const std::vector<float> mean = trace(frame, renderer().scene()->features(), 2);
-        EXPECT_TRUE(all_sound(mean));
+        EXPECT_TRUE(all_finite_nonnegative(mean));
         const size_t bad = marked();
         EXPECT_GT(bad, 0u);
         EXPECT_LT(bad, mean.size() / 3); // some pixels met nothing of it
@@ -124,11 +124,11 @@ TEST_F(Firewall, CachesLearnNothingOfIt) {
         frame.frame = i;
         const float planted[] = {1.0f, infinity, not_a_number, -1e30f};
         frame.sky_radiance = glm::vec3(planted[i % 4]);
-        EXPECT_TRUE(all_sound(trace(frame, renderer().scene()->features(), 1)));
+        EXPECT_TRUE(all_finite_nonnegative(trace(frame, renderer().scene()->features(), 1)));
     }
     adapt(commands);
     EXPECT_GT(events(), 0u);
-    expect_sound_memory(renderer().cdq_bits());
+    expect_sound_memory(renderer().guide().size);
     record("the firewall", "the same while light caches and quadtrees learn",
            "every number that the octree keeps is finite", "");
 }
@@ -145,10 +145,10 @@ TEST_F(Firewall, LightsOfNoNumbersStayDark) {
             set("pt_nee", technique);
             shot.dynamic_lights = {{77, {-100, 0, 60}, 8.0f, planted}};
             for (int i = 0; i < 3; ++i)
-                ASSERT_TRUE(all_sound(radiance(shot).rgb));
+                ASSERT_TRUE(all_finite_nonnegative(radiance(shot).rgb));
             EXPECT_EQ(events(), 0u);
             for (const shader::Light& light : renderer().scene()->lights().lights())
-                ASSERT_TRUE(shader::is_sound(light.radiance));
+                ASSERT_TRUE(shader::is_finite_nonnegative(light.radiance));
         }
     shot.dynamic_lights.clear();
     set("pt_nee", "sll");
@@ -169,16 +169,16 @@ TEST_F(Firewall, FiniteLightsWhoseSumsAreNot) {
         set("pt_nee", technique);
         set("pt_spp", "4");
         for (int i = 0; i < 6; ++i)
-            ASSERT_TRUE(all_sound(radiance(shot).rgb));
+            ASSERT_TRUE(all_finite_nonnegative(radiance(shot).rgb));
         EXPECT_GT(events(), 0u) << "sums that overflow are told";
-        expect_sound_memory(renderer().cdq_bits());
+        expect_sound_memory(renderer().guide().size);
         // Once they are gone, nothing is left in any cache that would be told again.
         Shot after = shot;
         after.dynamic_lights.clear();
         radiance(after);
         events();
         for (int i = 0; i < 3; ++i)
-            ASSERT_TRUE(all_sound(radiance(after).rgb));
+            ASSERT_TRUE(all_finite_nonnegative(radiance(after).rgb));
         EXPECT_EQ(events(), 0u);
         EXPECT_GT(sum_of(radiance(after).rgb), 0.0);
     }

@@ -10,13 +10,13 @@ namespace {
 class Frames : public RenderTest {
 protected:
     /// Learns in two frames, if there is anything to learn, and looks at the third.
-    void expect_sound() {
+    void expect_finite() {
         load("lamp");
         Shot shot;
         shot.view = {{-192, 0, 64}, {40, 0, 0}, 80};
         learn(shot, 2);
         const refresh::RadiancePicture seen = radiance(shot);
-        EXPECT_TRUE(all_sound(seen.rgb));
+        EXPECT_TRUE(all_finite_nonnegative(seen.rgb));
         EXPECT_GT(sum_of(seen.rgb), 0.0);
     }
 };
@@ -25,7 +25,7 @@ class TechniqueFrames : public Frames, public testing::WithParamInterface<Techni
 
 TEST_P(TechniqueFrames, AreSound) {
     set("pt_nee", GetParam().name);
-    expect_sound();
+    expect_finite();
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TechniqueFrames, testing::ValuesIn(technique_infos),
@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(All, TechniqueFrames, testing::ValuesIn(technique_infos
 TEST_F(Frames, Guided) {
     set("pt_nee", "vlc"); // as people play
     set("pt_guide", "cdq");
-    expect_sound();
+    expect_finite();
 }
 
 TEST_F(Frames, EveryView) {
@@ -43,7 +43,7 @@ TEST_F(Frames, EveryView) {
     for (const ViewInfo& info : view_infos) {
         SCOPED_TRACE(info.name);
         set("pt_view", info.name);
-        expect_sound();
+        expect_finite();
     }
 }
 
@@ -54,7 +54,7 @@ TEST_F(Frames, EveryFeature) {
     shot.view = {{420, 40, 90}, {0, 50, 0}, 90};
     radiance(shot);
     const vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true};
-    EXPECT_TRUE(all_sound(trace(params(shot), everything, 1)));
+    EXPECT_TRUE(all_finite_nonnegative(trace(params(shot), everything, 1)));
 }
 
 } // namespace

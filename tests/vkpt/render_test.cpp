@@ -166,7 +166,7 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
                                      const vkpt::SceneFeatures& features, uint32_t paths,
                                      LightSamples light_samples) {
     const auto technique = static_cast<Technique>(cvars()->pt_nee);
-    return trace(params, {technique, features, false, renderer().cdq_bits()}, paths,
+    return trace(params, {technique, features, false, renderer().guide()}, paths,
                  light_samples == LightSamples::All && renderer().technique()->samples_lights());
 }
 
@@ -188,8 +188,8 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
                                        uint64_t{3} * tracer.size().x * tracer.size().y);
 }
 
-bool all_sound(std::span<const float> values) {
-    return std::ranges::all_of(values, [](float value) { return shader::is_sound(value); });
+bool all_finite_nonnegative(std::span<const float> values) {
+    return std::ranges::all_of(values, [](float value) { return shader::is_finite_nonnegative(value); });
 }
 
 double sum_of(std::span<const float> values) {

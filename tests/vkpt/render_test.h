@@ -84,7 +84,7 @@ private:
 };
 
 /// Whether every value is finite and none is negative.
-bool all_sound(std::span<const float> values);
+bool all_finite_nonnegative(std::span<const float> values);
 double sum_of(std::span<const float> values);
 
 /// The texinfos whose texture is `texture`.

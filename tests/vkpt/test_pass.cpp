@@ -2,7 +2,7 @@
 #include "test_pass.h"
 
 #include "common/error.h"
-#include "shaders/vkpt_test_shaders_includes.inc"
+#include "shaders/vkpt_test_shaders_shaders.inc"
 
 namespace vigil::test {
 

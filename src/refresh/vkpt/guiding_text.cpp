@@ -184,7 +184,7 @@ std::string VkptRenderer::describe_leaf() const {
 
 std::string VkptRenderer::describe_directions() const {
     if (!scene_) return "no level is loaded";
-    if (shown_.cdq_bits == 0)
+    if (shown_.guide.guide != Guide::cdq)
         return "no quadtrees of directions guided rays in the last frame: pt_guide cdq makes them";
     const std::optional<shader::PrimaryHit> hit = hit_under_crosshair();
     if (!hit) return nothing_there;
@@ -197,7 +197,8 @@ std::string VkptRenderer::describe_directions() const {
     if (before.leaf != now.leaf)
         text += fmt::format("its quadtree is that of leaf {}, where it was a frame ago:\n",
                             before.leaf);
-    return text + cdq_text(report_cdq(before.cdq, shown_.cdq_bits, hit->normal), most_cells_listed);
+    return text +
+           cdq_text(report_cdq(before.guide, shown_.guide.size, hit->normal), most_cells_listed);
 }
 
 } // namespace vigil::vkpt

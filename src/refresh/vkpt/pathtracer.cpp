@@ -2,8 +2,8 @@
 #include "refresh/vkpt/pathtracer.h"
 
 #include "common/error.h"
-#include "refresh/vkpt/light/ltc_table.h"
 #include "refresh/vkpt/gpu/shader_library.h"
+#include "refresh/vkpt/light/ltc_table.h"
 #include "shared/direction_map.h"
 #include "shared/views.h"
 
@@ -30,10 +30,11 @@ std::string technique_name(const PathTracerVariant& variant) {
 
 } // namespace
 
-std::vector<gpu::Specialization> specialization(const SceneFeatures& features) {
-    return {{0, features.instances},  {1, features.translucent}, {8, features.sky},
-            {9, features.sun},        {10, features.gloss},      {11, features.liquid},
-            {12, features.animation}, {13, features.lights}};
+std::vector<gpu::Specialization> specialization(const SceneFeatures& features,
+                                                const GuideChoice& guide) {
+    return {{CONSTANT_INSTANCES, features.instances},  {CONSTANT_TRANSLUCENT, features.translucent}, {CONSTANT_SKY, features.sky},
+            {CONSTANT_SUN, features.sun},        {CONSTANT_GLOSS, features.gloss},      {CONSTANT_LIQUID, features.liquid},
+            {CONSTANT_ANIMATION, features.animation}, {CONSTANT_LIGHTS, features.lights},     {CONSTANT_GUIDER_SIZE, guide.size}};
 }
 
 PathTracer::PathTracer(const gpu::Device& device, gpu::PipelineCompiler& compiler,
@@ -118,9 +119,8 @@ void PathTracer::bind(const Scene& scene, const LightTechnique& technique,
 
 gpu::ComputePipeline PathTracer::make_pipeline(const PathTracerVariant& variant,
                                                const std::string& name, bool views) {
-    std::vector<gpu::Specialization> constants = specialization(variant.features);
-    constants.push_back({14, variant.cdq_bits});
-    constants.push_back({15, views ? 1u : 0u});
+    std::vector<gpu::Specialization> constants = specialization(variant.features, variant.guide);
+    constants.push_back({CONSTANT_VIEW, views ? 1u : 0u});
     const std::string backend = variant.ray_query ? ".query" : "";
     return {
         compiler_,
@@ -131,13 +131,14 @@ gpu::ComputePipeline PathTracer::make_pipeline(const PathTracerVariant& variant,
 PathTracer::Pipelines& PathTracer::pipelines(const PictureSide& side, int view) {
     const PathTracerVariant& variant = side.variant;
     const std::string technique = technique_name(variant);
+    const std::string guider(guider_name(variant.guide.guide));
     auto known = std::find_if(variants_.begin(), variants_.end(),
                               [&](const auto& made) { return made->variant == variant; });
     if (known == variants_.end()) {
         auto made = std::make_unique<Pipelines>();
         made->variant = variant;
         made->primary = make_pipeline(variant, "primary");
-        made->indirect = make_pipeline(variant, "indirect." + technique);
+        made->indirect = make_pipeline(variant, "indirect." + technique + "." + guider);
         known = variants_.insert(variants_.end(), std::move(made));
     }
     Pipelines& made = **known;
@@ -145,9 +146,9 @@ PathTracer::Pipelines& PathTracer::pipelines(const PictureSide& side, int view) 
         made.direct = make_pipeline(variant, "direct." + technique);
     // The views are a large shader of their own, which few ever see.
     gpu::ComputePipeline& tonemap = view == shader::VIEW_NONE ? made.tonemap : made.tonemap_view;
-    if (!tonemap) tonemap = make_pipeline(variant, "tonemap", view != shader::VIEW_NONE);
+    if (!tonemap) tonemap = make_pipeline(variant, "tonemap." + guider, view != shader::VIEW_NONE);
     if (view == shader::VIEW_CDQ && !made.direction_map)
-        made.direction_map = make_pipeline(variant, "direction_map." + technique);
+        made.direction_map = make_pipeline(variant, "direction_map." + technique + "." + guider);
     return made;
 }
 

@@ -3,9 +3,10 @@
 // technique and scene features, and the buffers whose size follows the resolution.
 #pragma once
 
-#include "refresh/vkpt/gpu/pipeline_compiler.h"
-#include "refresh/vkpt/light/technique.h"
 #include "refresh/vkpt/gpu/passes.h"
+#include "refresh/vkpt/gpu/pipeline_compiler.h"
+#include "refresh/vkpt/guiding/guider.h"
+#include "refresh/vkpt/light/technique.h"
 #include "refresh/vkpt/scene/scene.h"
 #include "shared/frame_params.h"
 
@@ -20,7 +21,7 @@ struct PathTracerVariant {
     Technique technique = Technique::sll;
     SceneFeatures features;
     bool ray_query = false;
-    uint32_t cdq_bits = 0; // of the quadtrees that guide indirect rays; 0: none do
+    GuideChoice guide; // of indirect rays
     bool operator==(const PathTracerVariant&) const = default;
 };
 
@@ -38,8 +39,10 @@ struct PictureSide {
 /// Index of the side that the crosshair looks at.
 size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_size);
 
-/// The features as constants of shaders: the ids of trace/trace.glsl and scene/frame.glsl.
-std::vector<gpu::Specialization> specialization(const SceneFeatures& features);
+/// The features, and what guides rays, as constants of shaders: the ids of trace/trace.glsl and
+/// scene/frame.glsl.
+std::vector<gpu::Specialization> specialization(const SceneFeatures& features,
+                                                const GuideChoice& guide);
 
 class PathTracer {
 public:

@@ -40,7 +40,7 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
       compiler_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
                                                                  gpu::FrameCommands(device_)},
       waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
-      path_tracer_(device_, compiler_, left_.guiding().look_up()) {
+      path_tracer_(device_, compiler_, left_.guiding().look_up()), draws_(device_, compiler_) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -90,7 +90,7 @@ refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
     return scene_->register_model(name);
 }
 
-glm::uvec2 VkptRenderer::picture_size() const {
+glm::uvec2 VkptRenderer::screen_size() const {
     if (surface_) {
         const glm::ivec2 size = surface_->framebuffer_size();
         if (size.x > 0 && size.y > 0) return size;
@@ -124,7 +124,7 @@ uint32_t VkptRenderer::split_column() const {
 void VkptRenderer::select_sides() {
     const TechniqueContext context{device_, *lister_};
     rebind_ |= left_.select(static_cast<Technique>(settings_.pt_nee), context);
-    left_.set_cdq_bits(cdq_bits());
+    left_.set_guide(guide());
     const std::optional<TechniqueRow> compared =
         find_technique_row(choice_name(compare_choices, settings_.pt_compare));
     if (right_.has_value() != compared.has_value()) {
@@ -139,7 +139,7 @@ void VkptRenderer::select_sides() {
     }
     if (!compared) return;
     rebind_ |= right_->select(compared->technique, context);
-    right_->set_cdq_bits(cdq_bits_of(compared->guided));
+    right_->set_guide(guide_of(compared->guide));
 }
 
 void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
@@ -176,7 +176,7 @@ void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
 std::vector<PictureSide> VkptRenderer::picture_sides() const {
     const SceneFeatures features = scene_->features();
     const auto describe = [&](const Side& side, uint32_t first, uint32_t end) {
-        return PictureSide{{side.id(), features, use_ray_query(), side.cdq_bits()},
+        return PictureSide{{side.id(), features, use_ray_query(), side.guide()},
                            side.technique()->samples_lights() && features.lights,
                            side.guided(),
                            side.guiding().set(),
@@ -196,13 +196,13 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
                               {settings_.pt_view, side.variant.technique, side.samples_lights,
                                side.guided, path_tracer_.size(),
                                (i == 0 ? left_ : *right_).technique()->uses_guiding(),
-                               side.variant.cdq_bits > 0, side.first_column, side.end_column});
+                               side.variant.guide.guides(), side.first_column, side.end_column});
     }
     if (sides.size() < 2) return;
     std::array<std::string, 2> names;
     for (size_t i = 0; i < names.size(); ++i)
         names.at(i) =
-            technique_row_name({sides[i].variant.technique, sides[i].variant.cdq_bits > 0});
+            technique_row_name({sides[i].variant.technique, sides[i].variant.guide.guide});
     side_labels_.record(commands, path_tracer_.display(), path_tracer_.size(), split_column(),
                         names);
 }
@@ -229,9 +229,10 @@ void VkptRenderer::follow_trace_setting() {
 void VkptRenderer::follow_guide_setting() {
     if (settings_.pt_guide == guide_setting_) return;
     guide_setting_ = settings_.pt_guide;
-    if (guide_setting_ == setting_choice("pt_guide", "cdq") && !device_.features().subgroup_sums)
-        log_warning("pt_guide cdq: {} lacks subgroup arithmetic; rays are drawn by the BRDF alone",
-                    device_.properties().deviceName);
+    const auto guide = static_cast<Guide>(guide_setting_);
+    if (guide != Guide::brdf && !device_.features().subgroup_sums)
+        log_warning("pt_guide {}: {} lacks subgroup arithmetic; rays are drawn by the BRDF alone",
+                    guider_name(guide), device_.properties().deviceName);
 }
 
 bool VkptRenderer::prepare_ray_query() {
@@ -244,14 +245,13 @@ bool VkptRenderer::prepare_ray_query() {
     }
 }
 
-uint32_t VkptRenderer::cdq_bits() const {
-    return cdq_bits_of(settings_.pt_guide == setting_choice("pt_guide", "cdq"));
+GuideChoice VkptRenderer::guide() const {
+    return guide_of(static_cast<Guide>(settings_.pt_guide));
 }
 
-uint32_t VkptRenderer::cdq_bits_of(bool guided_rays) const {
+GuideChoice VkptRenderer::guide_of(Guide guide) const {
     // Adding up what rays brought takes subgroup operations that a device may lack.
-    if (!guided_rays || !device_.features().subgroup_sums) return 0;
-    return 32 * (static_cast<uint32_t>(settings_.pt_cdq_bits) + 1);
+    return device_.features().subgroup_sums ? choose_guide(guide, settings_) : GuideChoice();
 }
 
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
@@ -271,7 +271,7 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     shader::FrameParams relevant = params;
     if (!scene_->features().liquid && !scene_->features().animation) relevant.time_s = 0.0f;
     relevant.settings = {}; // compared by what they affect
-    const uint64_t more[] = {scene_->revision(), use_ray_query()};
+    const uint64_t more[] = {scene_->revision(), use_ray_query(), split_column()};
     std::vector<std::byte> key(sizeof(relevant) + sizeof(more));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
@@ -285,11 +285,12 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
 
 uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     settings_ = frame.settings;
-    resize(picture_size());
+    resize(screen_size());
     const size_t slot = frame_number_ % frames_in_flight;
     gpu::FrameCommands& commands = frames_[slot];
     ImDrawData* overlay = frame.overlay;
     finish_slot(slot);
+    draws_.prepare(path_tracer_.display(), path_tracer_.size(), frame.draws);
     // Whoever goes on after a frame that failed (a command) would miss what it was to copy.
     if (frame_unfinished_) fail("the frame before this one failed");
     frame_unfinished_ = true;
@@ -331,11 +332,22 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         const bool maps_directions = params.settings.pt_view == shader::VIEW_CDQ;
         view_accumulated_ = maps_directions ? view_accumulated_ + 1 : 0;
         remember_shown(frame, sides);
+    } else {
+        traced_ = !frame.draws.empty();
+        if (traced_) record_black(commands);
     }
+    draws_.record(commands);
     present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);
     frame_unfinished_ = false;
     slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right};
     return frame_number_++;
+}
+
+void VkptRenderer::record_black(gpu::FrameCommands& commands) {
+    const VkCommandBuffer buffer = commands.commands();
+    constexpr uint32_t black = 0xff000000;
+    vkCmdFillBuffer(buffer, path_tracer_.display().handle(), 0, VK_WHOLE_SIZE, black);
+    gpu::full_barrier(buffer);
 }
 
 void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides) {
@@ -344,7 +356,7 @@ void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const P
     const PictureSide& side = sides[shown];
     shown_.guided = side.guided;
     shown_.bucket_size = static_cast<uint32_t>(settings_.pt_vlc_bucket);
-    shown_.cdq_bits = side.variant.cdq_bits;
+    shown_.guide = side.variant.guide;
     const auto shines = [](const auto& light) { return light.radius > 0.0f; };
     shown_.dynamic_lights =
         static_cast<size_t>(std::ranges::count_if(frame.dynamic_lights, shines) +
@@ -531,7 +543,7 @@ std::string VkptRenderer::describe_device() const {
 void VkptRenderer::export_scene(const refresh::Frame& frame, const std::string& path) {
     if (!scene_) fail("no level is loaded");
     settings_ = frame.settings;
-    resize(picture_size());
+    resize(screen_size());
     rebind_ |= scene_->prepare(frame, settings_.pt_emissive_scale);
     const ExportSummary summary = write_gltf(export_scene_of(*scene_, frame_params(frame)), path);
     log_info("wrote {}: {} triangles in {} files, {:.1f} MiB", path, summary.triangles,

@@ -6,6 +6,7 @@
 #include "refresh/refresh.h"
 #include "refresh/vkpt/debug/legend.h"
 #include "refresh/vkpt/debug/side_labels.h"
+#include "refresh/vkpt/draws.h"
 #include "refresh/vkpt/gpu/swapchain.h"
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/overlay.h"
@@ -29,6 +30,12 @@ public:
     bool compiling() const override { return !compiler_.idle(); }
     void load_level(std::shared_ptr<const Level> level, const refresh::Settings& settings) override;
     refresh::ModelHandle register_model(std::string_view name) override;
+    refresh::PictureHandle register_picture(std::string_view name) override {
+        return draws_.register_picture(files_, name);
+    }
+    glm::ivec2 picture_size(refresh::PictureHandle picture) const override {
+        return draws_.size_of(picture);
+    }
     uint64_t render(const refresh::Frame& frame) override;
     refresh::Picture read_picture(bool with_overlay) override;
     refresh::RadiancePicture read_radiance() override;
@@ -49,10 +56,10 @@ public:
     // Of the picture, or, while pt_compare splits it, of its left side.
     LightTechnique* technique() { return left_.technique(); }
     Guiding& guiding() { return left_.guiding(); }
-    /// Size of the quadtrees that pt_guide asks for; 0: none.
-    uint32_t cdq_bits() const;
-    /// Whether the octree is kept: for the technique, or for the quadtrees.
-    bool guided() const { return left_.technique()->uses_guiding() || cdq_bits() > 0; }
+    /// What pt_guide asks for, as far as the device can.
+    GuideChoice guide() const;
+    /// Whether the octree is kept: for the technique, or for the guider.
+    bool guided() const { return left_.technique()->uses_guiding() || guide().guides(); }
     const Legend& legend() const { return legends_[0]; }
     /// The right side while pt_compare splits the picture, else null.
     Side* right_side() { return right_ ? &*right_ : nullptr; }
@@ -67,9 +74,9 @@ public:
 private:
     static constexpr size_t frames_in_flight = 2;
 
-    glm::uvec2 picture_size() const;
+    glm::uvec2 screen_size() const;
     void resize(glm::uvec2 size);
-    uint32_t cdq_bits_of(bool guided_rays) const;
+    GuideChoice guide_of(Guide guide) const;
     void select_sides();
     void reset_side(Side& side);
     void prepare_sides(const refresh::Frame& frame);
@@ -78,6 +85,7 @@ private:
     void update_sides(gpu::FrameCommands& commands, size_t slot);
     std::vector<PictureSide> picture_sides() const;
     void record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides);
+    void record_black(gpu::FrameCommands& commands);
     void remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides);
     bool use_ray_query() const;
     void follow_trace_setting();
@@ -105,6 +113,7 @@ private:
     Side left_;                        // the only one while there is no right one
     std::optional<Side> right_;
     PathTracer path_tracer_;
+    Draws draws_;
     std::optional<gpu::Swapchain> swapchain_;
     std::optional<Overlay> overlay_;
     gpu::Image picture_;
@@ -115,7 +124,7 @@ private:
     std::unique_ptr<LightLister> lister_;
     std::unique_ptr<Scene> scene_;
     refresh::CompilationWatcher* watcher_ = nullptr;
-    bool traced_ = false; // there is a picture of this level and size
+    bool traced_ = false; // there is a picture of this level and size, or what was drawn over black
     bool rebind_ = true;
     int trace_setting_ = -1;        // pt_trace as it was followed last
     int guide_setting_ = -1;        // pt_guide, the same
@@ -133,7 +142,7 @@ private:
         bool right = false; // the crosshair looked at the right side
         bool guided = false;
         uint32_t bucket_size = 0;
-        uint32_t cdq_bits = 0;     // 0: no quadtrees
+        GuideChoice guide;
         size_t dynamic_lights = 0; // the last instances of the scene
     };
     Shown shown_;

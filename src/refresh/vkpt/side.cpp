@@ -19,9 +19,7 @@ void Side::forget(const glm::vec3& corner, float size) {
 void Side::prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
                            const refresh::Settings& settings) {
     if (!guided()) return;
-    Guiding::Options options = Guiding::options(picture_size, frame, settings);
-    options.cdq_bits = cdq_bits_;
-    options.settings.even_density = shader::cdq_even_density(cdq_bits_, settings.pt_cdq_brdf);
+    Guiding::Options options = Guiding::options(picture_size, frame, guide_.guide, settings);
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
 }

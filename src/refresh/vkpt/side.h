@@ -21,8 +21,8 @@ public:
 
     /// Makes the technique if another one is asked for; the GPU is idle then. True if it did.
     bool select(Technique technique, const TechniqueContext& context);
-    /// Size of the quadtrees that guide its rays; 0: none do.
-    void set_cdq_bits(uint32_t bits) { cdq_bits_ = bits; }
+    /// What guides its rays.
+    void set_guide(const GuideChoice& guide) { guide_ = guide; }
     /// Forgets technique and level; the GPU must be idle.
     void clear() { technique_.reset(); }
     /// Forgets what frames taught: the octree is that of a cube (Guiding::restart).
@@ -37,9 +37,9 @@ public:
 
     LightTechnique* technique() const { return technique_.get(); } ///< null before a level
     Technique id() const { return id_; }
-    uint32_t cdq_bits() const { return cdq_bits_; }
-    /// Whether the octree is kept: for the technique, or for the quadtrees.
-    bool guided() const { return technique_->uses_guiding() || cdq_bits_ > 0; }
+    const GuideChoice& guide() const { return guide_; }
+    /// Whether the octree is kept: for the technique, or for the guider.
+    bool guided() const { return technique_->uses_guiding() || guide_.guides(); }
     Guiding& guiding() { return guiding_; }
     const Guiding& guiding() const { return guiding_; }
 
@@ -48,7 +48,7 @@ private:
     Guiding guiding_;
     std::unique_ptr<LightTechnique> technique_;
     Technique id_ = Technique::sll;
-    uint32_t cdq_bits_ = 0;
+    GuideChoice guide_;
 };
 
 } // namespace vigil::vkpt

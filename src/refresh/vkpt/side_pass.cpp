@@ -27,7 +27,9 @@ void SidePass::make_pipeline() {
         renderer_.path_tracer().set_layouts();
     layout_ = gpu::make_pipeline_layout(
         device_, std::array{scene_layout, technique_layout, guiding_layout, set_.layout()});
-    pipeline_ = {device_, layout_.get(), nullptr, code_, specialization(features_), name_.c_str()};
+    pipeline_ = {
+        device_,      layout_.get(), nullptr, code_, specialization(features_, renderer_.guide()),
+        name_.c_str()};
 }
 
 void SidePass::run(glm::uvec3 groups, glm::uvec2 push) {

@@ -230,10 +230,9 @@ LegendContent legend_content(const LegendSubject& subject) {
         content.title = "directions: density per sr";
         add_density_bar(content);
         content.classes.push_back({shader::VIEW_HORIZON, "horizon of the surface"});
-        content.classes.push_back({shader::VIEW_OFF, subject.quadtrees
-                                                         ? "nothing under the cross"
-                                                         : "quadtrees off: pt_guide brdf"});
-        content.notes = {"left: drawn by the quadtree", "right: light that arrives",
+        content.classes.push_back({shader::VIEW_OFF, subject.quadtrees ? "nothing under the cross"
+                                                                       : "off: pt_guide brdf"});
+        content.notes = {"left: drawn by what was learned", "right: light that arrives",
                          "middle: up; corners: down"};
         break;
     case shader::VIEW_TECHNIQUE:

@@ -1,52 +1,70 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/gpu/gpu_timer.h"
 
+#include <algorithm>
+
 namespace vigil::gpu {
 
 namespace {
-constexpr uint32_t max_marks = 256; // start/stop pairs per frame
+constexpr size_t marks_per_pool = 256; // start/stop pairs
 } // namespace
 
 GpuTimer::GpuTimer(const Device& device) : device_(&device) {
-    if (device.features().timestamp_bits == 0) return;
+    if (device.features().timestamp_bits > 0) add_pool();
+}
+
+void GpuTimer::add_pool() {
     VkQueryPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = 2 * max_marks;
+    info.queryCount = 2 * marks_per_pool;
     VkQueryPool pool = VK_NULL_HANDLE;
-    check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool), "vkCreateQueryPool");
-    pool_ = {device.handle(), pool, vkDestroyQueryPool};
+    check(vkCreateQueryPool(device_->handle(), &info, nullptr, &pool), "vkCreateQueryPool");
+    pools_.emplace_back(device_->handle(), pool, vkDestroyQueryPool);
 }
 
 void GpuTimer::begin(VkCommandBuffer commands) {
     ids_.clear();
     open_ = false;
-    if (pool_) vkCmdResetQueryPool(commands, pool_.get(), 0, 2 * max_marks);
+    for (const auto& pool : pools_)
+        vkCmdResetQueryPool(commands, pool.get(), 0, 2 * marks_per_pool);
+}
+
+void GpuTimer::write(VkCommandBuffer commands, uint32_t end) {
+    const size_t mark = ids_.size() - 1;
+    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
+                        pools_[mark / marks_per_pool].get(),
+                        2 * static_cast<uint32_t>(mark % marks_per_pool) + end);
 }
 
 void GpuTimer::start(VkCommandBuffer commands, uint32_t id) {
-    open_ = pool_ && ids_.size() < max_marks;
-    if (!open_) return;
+    if (pools_.empty()) return;
+    if (ids_.size() == marks_per_pool * pools_.size()) {
+        add_pool();
+        vkCmdResetQueryPool(commands, pools_.back().get(), 0, 2 * marks_per_pool);
+    }
     ids_.push_back(id);
-    const uint32_t query = 2 * static_cast<uint32_t>(ids_.size() - 1);
-    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_.get(), query);
+    open_ = true;
+    write(commands, 0);
 }
 
 void GpuTimer::stop(VkCommandBuffer commands) {
-    if (!open_) return;
-    const uint32_t query = 2 * static_cast<uint32_t>(ids_.size() - 1) + 1;
-    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_.get(), query);
+    if (open_) write(commands, 1);
     open_ = false;
 }
 
 void GpuTimer::collect() {
     milliseconds_.clear();
-    if (ids_.empty()) return;
-    std::vector<uint64_t> stamps(2 * ids_.size());
-    const VkResult result = vkGetQueryPoolResults(
-        device_->handle(), pool_.get(), 0, static_cast<uint32_t>(stamps.size()),
-        stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
-    if (result != VK_SUCCESS) return;
+    std::vector<uint64_t> stamps;
+    for (size_t pool = 0; stamps.size() < 2 * ids_.size(); ++pool) {
+        const size_t first = stamps.size();
+        const size_t count = std::min(2 * ids_.size() - first, 2 * marks_per_pool);
+        stamps.resize(first + count);
+        const VkResult result = vkGetQueryPoolResults(
+            device_->handle(), pools_[pool].get(), 0, static_cast<uint32_t>(count),
+            count * sizeof(uint64_t), &stamps[first], sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
+        if (result != VK_SUCCESS) return;
+    }
     const uint32_t bits = device_->features().timestamp_bits;
     const uint64_t mask = bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
     for (size_t i = 0; i < ids_.size(); ++i) {

@@ -16,8 +16,7 @@ public:
 
     /// Resets the queries; call at the start of a frame's commands.
     void begin(VkCommandBuffer commands);
-    /// Marks the start / end of pass `id` (any small index). At most 256 marks a frame; later ones
-    /// are not timed.
+    /// Marks the start / end of pass `id` (any small index).
     void start(VkCommandBuffer commands, uint32_t id);
     void stop(VkCommandBuffer commands);
 
@@ -27,8 +26,12 @@ public:
     double milliseconds(uint32_t id) const;
 
 private:
+    void add_pool();
+    void write(VkCommandBuffer commands, uint32_t end);
+
     const Device* device_;
-    Handle<VkQueryPool> pool_;
+    std::vector<Handle<VkQueryPool>>
+        pools_;                 // as many as a frame has needed; none without timestamps
     std::vector<uint32_t> ids_; // of each start/stop pair, in order
     std::vector<double> milliseconds_;
     bool open_ = false;

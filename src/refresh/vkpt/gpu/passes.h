@@ -17,7 +17,7 @@ namespace vigil::vkpt {
     ROW(OctreeMark, "octree_mark", Preparation) /* leaves to split and nodes to collapse */ \
     ROW(VlcDeduplicate, "vlc_deduplicate", Preparation) /* different visible lights of each leaf */ \
     ROW(VlcMerge, "vlc_merge", Preparation) /* lights of neighbours joined, buckets made */ \
-    ROW(CdqAdapt, "cdq_adapt", Preparation) /* what rays brought is added up, quadtrees follow it */ \
+    ROW(GuideAdapt, "guide_adapt", Preparation) /* guiders learn from what rays brought */ \
     ROW(OctreeAdapt, "octree_adapt", Preparation) /* the new tree's nodes in their places */ \
     ROW(OctreeAugment, "octree_augment", Preparation) /* its leaves: neighbours, and room for samples */ \
     ROW(ShadowStatistics, "shadow_statistics", Preparation) /* how often lights were hidden, for sll */ \
@@ -28,6 +28,7 @@ namespace vigil::vkpt {
     ROW(Accumulate, "accumulate", Other) /* running mean and tile luminances */ \
     ROW(Exposure, "exposure", Other) /* automatic exposure */ \
     ROW(Tonemap, "tonemap", Other) /* radiance to 8-bit sRGB, or a debug view */ \
+    ROW(Draws, "draws", Other) /* pictures and fills over it */ \
     ROW(Overlay, "overlay", Other) /* console and menus */ \
     ROW(Present, "present", Other) /* copy to the window */
 // clang-format on

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/gpu/shader_library.h"
 
-#include "shaders/vigil_vkpt_includes.inc"
+#include "shaders/vigil_vkpt_shaders.inc"
 
 namespace vigil::vkpt {
 

@@ -3,7 +3,6 @@
 
 #include "refresh/vkpt/gpu/shader_library.h"
 #include "shared/bindings.h"
-#include "shared/cdq.h"
 #include "shared/octree.h"
 #include "shared/scene_types.h"
 
@@ -11,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <fmt/format.h>
 
 namespace vigil::vkpt {
 
@@ -40,6 +40,10 @@ constexpr int persist_for_half = 4;
 double threshold_factor(glm::uvec2 picture_size) {
     const double pixels = static_cast<double>(picture_size.x) * picture_size.y / (1920.0 * 1080.0);
     return std::max(pixels, std::pow(pixels, 0.8));
+}
+
+uint32_t memory_words(const GuideChoice& guide) {
+    return guide.guides() ? guider_of(guide.guide)->memory_words() : 0;
 }
 
 uint32_t scaled(int threshold, double factor, uint32_t least) {
@@ -79,9 +83,9 @@ void Guiding::make_pipelines() {
                     pass_layout_.get(),
                     {shader_code(name), std::move(constants), name, {trees_[0].passes.types()}}};
     };
-    // Constant 0 is the size of a work group where the shader leaves it to us.
     const uint32_t subgroup = device_.features().subgroup_size;
-    const std::vector<gpu::Specialization> lanes{{0, std::max(subgroup, shader::VLC_LEAST_LANES)}};
+    const std::vector<gpu::Specialization> lanes{
+        {CONSTANT_GROUP_SIZE, std::max(subgroup, shader::VLC_LEAST_LANES)}};
     make(mark_, "octree_mark", lanes);
     make(rebuild_, "octree_rebuild", lanes);
     make(renumber_, "octree_renumber", lanes);
@@ -90,12 +94,21 @@ void Guiding::make_pipelines() {
         make(deduplicate_, "vlc_deduplicate", lanes);
         make(merge_, "vlc_merge", lanes);
     }
-    if (options_.cdq_bits > 0)
-        make(cdq_adapt_[options_.cdq_bits / 32 - 1], "cdq_adapt",
-             {{0, subgroup}, {1, options_.cdq_bits}});
+    if (options_.guide.guides()) {
+        const std::string name = fmt::format("guide_adapt.{}", guider_name(options_.guide.guide));
+        make(guide_adapt(), name.c_str(), {{CONSTANT_GROUP_SIZE, subgroup}, {CONSTANT_GUIDER_SIZE, options_.guide.size}});
+    }
 }
 
-Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame,
+gpu::ComputePipeline& Guiding::guide_adapt() {
+    const auto known = std::ranges::find(guide_adapt_, options_.guide,
+                                         [](const auto& made) { return made->choice; });
+    if (known != guide_adapt_.end()) return (*known)->pipeline;
+    guide_adapt_.push_back(std::make_unique<GuidePass>(GuidePass{options_.guide, {}}));
+    return guide_adapt_.back()->pipeline;
+}
+
+Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide guide,
                                   const refresh::Settings& settings) {
     const double factor =
         threshold_factor(picture_size) * static_cast<double>(settings.pt_oct_scale);
@@ -109,8 +122,8 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame,
     options.settings.bucket = bucket;
     const float share = settings.pt_vlc_hysteresis * static_cast<float>(bucket);
     options.settings.small_bucket = std::max(static_cast<uint32_t>(share), 1u);
-    options.settings.migrations = static_cast<uint32_t>(settings.pt_cdq_migrations);
-    options.settings.margin = settings.pt_cdq_margin;
+    options.guide = choose_guide(guide, settings);
+    if (const Guider* guider = guider_of(guide)) guider->set(options.settings, settings);
     options.settings.memory_rays = static_cast<uint32_t>(settings.pt_cdq_rays);
     options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
@@ -132,16 +145,15 @@ uint32_t Guiding::node_capacity(const Options& options) {
 bool Guiding::prepare(const Options& options) {
     const bool fits = header_.node_capacity == node_capacity(options) &&
                       options_.picture_size == options.picture_size &&
-                      (options_.cdq_bits > 0) == (options.cdq_bits > 0);
-    const uint32_t sum_words =
-        options.cdq_bits > 0 && options.settings.memory_rays > 0 ? shader::CDQ_SUM_WORDS : 0;
-    // What the frame before left must fit: buckets and quadtrees of the same size, caches that were
-    // made in it, and sums if quadtrees are to remember them.
+                      options_.guide.guide == options.guide.guide;
+    const uint32_t memory = options.settings.memory_rays > 0 ? memory_words(options.guide) : 0;
+    // What the frame before left must fit: buckets of the same size, what the same guider learned,
+    // caches that were made in it, and a memory if the guider is to have one.
     restart_ |= options_.settings.bucket != options.settings.bucket ||
-                options_.cdq_bits != options.cdq_bits || options_.lights != options.lights ||
-                options_.settings.sum_words < sum_words;
+                options_.guide != options.guide || options_.lights != options.lights ||
+                options_.settings.memory_words < memory;
     options_ = options;
-    options_.settings.sum_words = sum_words;
+    options_.settings.memory_words = memory;
     make_pipelines();
     if (fits) return false;
     device_.wait_idle();
@@ -162,14 +174,13 @@ void Guiding::make_buffers() {
     for (Tree& tree : trees_) {
         tree.nodes = make(1 + nodes, "octree nodes");
         tree.cells = make(2 * nodes, "octree cells");
-        const uint32_t words =
-            shader::LEAF_WORDS + (options_.cdq_bits > 0 ? shader::CDQ_SUM_WORDS : 0);
+        const uint32_t words = shader::LEAF_WORDS + memory_words(options_.guide);
         tree.leaves = make(words * leaves, "octree leaves");
         tree.caches = make(header_.vlc_capacity, "light caches");
     }
     plan_ = make(plan_words * nodes, "octree plan");
     samples_ = make(header_.sample_capacity, "light samples");
-    rays_ = options_.cdq_bits > 0 ? make(header_.sample_capacity, "ray samples") : gpu::Buffer();
+    rays_ = options_.guide.guides() ? make(header_.sample_capacity, "ray samples") : gpu::Buffer();
     lists_ = make(2 * leaves, "leaf lists");
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
@@ -206,28 +217,24 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     commands.upload(tree.nodes, 0, gpu::bytes_of(nodes));
     const glm::uvec2 root = shader::octree_pack_cell({glm::uvec3(0), 0});
     commands.upload(tree.cells, 0, gpu::bytes_of_value(root));
-    // Eight leaves without samples, caches and neighbours.
-    const auto set = [&](uint32_t array, std::span<const std::byte> bytes) {
-        const uint64_t word = shader::leaf_array_word(array, 0, 0, header_.node_capacity);
-        commands.upload(tree.leaves, word * sizeof(uint32_t), bytes);
+    // Eight leaves without samples, caches, neighbours and experience.
+    using shader::NONE;
+    const Guider* guider = guider_of(options_.guide.guide);
+    const auto fill = [&](const shader::LeafArray& array, uint32_t value) {
+        std::vector<uint32_t> words(size_t{8} * array.words, value);
+        if (guider != nullptr && array.first == shader::LEAF_GUIDE.first) {
+            const glm::uvec4 first = guider->first_words(options_.guide.size);
+            for (size_t i = 0; i < words.size(); ++i)
+                words[i] = first[static_cast<glm::length_t>(i % 4)];
+        }
+        const uint64_t word = shader::leaf_array_word(array, 0, header_.node_capacity);
+        commands.upload(tree.leaves, word * sizeof(uint32_t), gpu::bytes_of(words));
     };
-    const auto fill = [&](uint32_t array, uint32_t width, uint32_t value) {
-        const std::vector<uint32_t> words(size_t{8} * width, value);
-        set(array, gpu::bytes_of(words));
-    };
-    fill(shader::LEAF_COUNT, 1, 0);
-    fill(shader::LEAF_STORAGE, 2, 0);
-    fill(shader::LEAF_VLC, 2, 0);
-    fill(shader::LEAF_VISIBLE, 1, 0);
-    fill(shader::LEAF_NEIGHBOURS, 6, shader::NONE);
-    fill(shader::LEAF_SOURCE, 1, 0);
-    fill(shader::LEAF_CACHED, 1, 0);
-    fill(shader::LEAF_RAYS, 1, 0);
-    fill(shader::LEAF_EXPLORE, 2, 0);
-    const std::vector<glm::uvec4> quadtrees(
-        8, shader::cdq_even_tree(std::max(options_.cdq_bits, 32u)));
-    set(shader::LEAF_CDQ, gpu::bytes_of(quadtrees));
-    if (options_.cdq_bits > 0) fill(shader::LEAF_SUMS, shader::CDQ_SUM_WORDS, 0);
+#define VIGIL_FILL_ARRAY(name, width, before, value, new_leaf) fill(shader::name, value);
+    LEAF_ARRAY_TABLE(VIGIL_FILL_ARRAY)
+#undef VIGIL_FILL_ARRAY
+    if (const uint32_t words = memory_words(options_.guide); words > 0)
+        fill(shader::guide_memory(words), 0);
     restart_ = false;
 }
 
@@ -268,8 +275,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
         run_listed(Pass::VlcDeduplicate, deduplicate_, sampled);
         run_listed(Pass::VlcMerge, merge_, offsetof(shader::GuidingWork, merge_groups));
     }
-    if (options_.cdq_bits > 0)
-        run_listed(Pass::CdqAdapt, cdq_adapt_[options_.cdq_bits / 32 - 1], sampled);
+    if (options_.guide.guides()) run_listed(Pass::GuideAdapt, guide_adapt(), sampled);
     {
         const PassScope scope(device_, commands, Pass::OctreeAdapt);
         run(rebuild_, 1);

@@ -5,12 +5,14 @@
 // positions and light ids; nothing of levels or lights.
 #pragma once
 
-#include "refresh/vkpt/gpu/pipeline_compiler.h"
 #include "refresh/vkpt/gpu/passes.h"
+#include "refresh/vkpt/gpu/pipeline_compiler.h"
+#include "refresh/vkpt/guiding/guider.h"
 #include "shared/guiding_types.h"
 
 #include <array>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 namespace vigil::vkpt {
@@ -24,14 +26,14 @@ public:
     struct Options {
         glm::uvec2 picture_size{0, 0};
         shader::GuidingSettings settings{};
-        uint32_t cdq_bits = 0; // of the directional quadtrees; 0: none are kept
-        bool lights = true;    // light samples are stored, and caches made of them
+        GuideChoice guide{}; // what learns directions
+        bool lights = true;  // light samples are stored, and caches made of them
     };
-    /// Options from the variables, but for `cdq_bits` and `lights`: those are for who traces the
-    /// rays to say. pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they
-    /// follow the number of pixels, and pt_oct_scale. `frame` counts frames: where lights persist,
-    /// neighbours take turns.
-    static Options options(glm::uvec2 picture_size, uint64_t frame,
+    /// Options from the settings, but for `lights`: that is for who traces the rays to say.
+    /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
+    /// number of pixels, and pt_oct_scale. `frame` counts frames: where lights persist, neighbours
+    /// take turns.
+    static Options options(glm::uvec2 picture_size, uint64_t frame, Guide guide,
                            const refresh::Settings& settings);
     /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
     /// surface samples.
@@ -69,13 +71,14 @@ public:
     };
     const Tree& tree() const { return trees_[current_]; }
     const gpu::Buffer& samples() const { return samples_; }
-    const gpu::Buffer& rays() const { return rays_; } // null without quadtrees
+    const gpu::Buffer& rays() const { return rays_; } // null without a guider
     const gpu::Buffer& vlc_lights() const { return tree().caches; }
     const gpu::Buffer& work() const { return work_; }
     const shader::GuidingHeader& header() const { return header_; }
 
 private:
     void make_pipelines();
+    gpu::ComputePipeline& guide_adapt();
     void make_buffers();
     void bind(Tree& from, const Tree& to);
     void upload_start(gpu::FrameCommands& commands);
@@ -88,7 +91,11 @@ private:
     gpu::Buffer header_buffer_, plan_, samples_, rays_, lists_, work_;
     std::vector<gpu::Buffer> statistics_;
     gpu::Handle<VkPipelineLayout> pass_layout_;
-    std::array<gpu::ComputePipeline, 4> cdq_adapt_; // for 32, 64, 96, 128 bits, made when needed
+    struct GuidePass {
+        GuideChoice choice;
+        gpu::ComputePipeline pipeline;
+    };
+    std::vector<std::unique_ptr<GuidePass>> guide_adapt_; // made when needed
     gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, renumber_, populate_;
     Options options_;
     shader::GuidingHeader header_{};

@@ -46,19 +46,19 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
 
     // What its arrays say.
     const uint32_t leaf = report.leaf;
-    report.samples = leaf_word(shader::LEAF_COUNT, 1, leaf);
-    report.room = leaf_word(shader::LEAF_STORAGE, 2, leaf, 1);
-    report.rays = leaf_word(shader::LEAF_RAYS, 1, leaf);
-    report.explore_share = shader::explore_unpack({leaf_word(shader::LEAF_EXPLORE, 2, leaf),
-                                                   leaf_word(shader::LEAF_EXPLORE, 2, leaf, 1)})
+    report.samples = leaf_word(shader::LEAF_COUNT, leaf);
+    report.room = leaf_word(shader::LEAF_STORAGE, leaf, 1);
+    report.rays = leaf_word(shader::LEAF_RAYS, leaf);
+    report.explore_share = shader::explore_unpack({leaf_word(shader::LEAF_EXPLORE, leaf),
+                                                   leaf_word(shader::LEAF_EXPLORE, leaf, 1)})
                                .share;
     for (uint32_t word = 0; word < 4; ++word)
-        report.cdq[static_cast<glm::length_t>(word)] = leaf_word(shader::LEAF_CDQ, 4, leaf, word);
-    report.source = leaf_word(shader::LEAF_SOURCE, 1, leaf);
+        report.guide[static_cast<glm::length_t>(word)] = leaf_word(shader::LEAF_GUIDE, leaf, word);
+    report.source = leaf_word(shader::LEAF_SOURCE, leaf);
     for (uint32_t face = 0; face < 6; ++face)
-        report.neighbours[face] = leaf_word(shader::LEAF_NEIGHBOURS, 6, leaf, face);
-    const uint32_t first = leaf_word(shader::LEAF_VLC, 2, leaf);
-    report.buckets.resize(leaf_word(shader::LEAF_VLC, 2, leaf, 1));
+        report.neighbours[face] = leaf_word(shader::LEAF_NEIGHBOURS, leaf, face);
+    const uint32_t first = leaf_word(shader::LEAF_VLC, leaf);
+    report.buckets.resize(leaf_word(shader::LEAF_VLC, leaf, 1));
     for (size_t bucket = 0; bucket < report.buckets.size(); ++bucket) {
         for (uint32_t i = 0; i < bucket_size; ++i) {
             const uint32_t entry = vlc_lights_[first + bucket * bucket_size + i];

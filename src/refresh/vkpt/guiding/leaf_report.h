@@ -24,7 +24,7 @@ struct LeafReport {
     uint32_t room = 0;              // light samples that fit, and as many ray samples
     uint32_t rays = 0;              // of the frame that was rendered last, those that brought light
     float explore_share = 0.0f;     // of light samples that its finds ask to search lists; 0 .. 0.9
-    glm::uvec4 cdq{0};              // directional quadtree; meaningless while pt_guide is brdf
+    glm::uvec4 guide{0};            // what its guider keeps; meaningless while pt_guide is brdf
     uint32_t source = shader::NONE; // leaf of the tree before, from which its cache came
     std::array<uint32_t, 6> neighbours{};       // beyond -x +x -y +y -z +z; NONE outside the root
     std::vector<std::vector<uint32_t>> buckets; // light ids
@@ -44,8 +44,8 @@ public:
     LeafReport leaf_at(glm::vec3 position, uint32_t bucket_size) const;
 
 private:
-    uint32_t leaf_word(uint32_t array, uint32_t width, uint32_t leaf, uint32_t word = 0) const {
-        return leaves_[shader::leaf_array_word(array, width, leaf, header_.node_capacity) + word];
+    uint32_t leaf_word(const shader::LeafArray& array, uint32_t leaf, uint32_t word = 0) const {
+        return leaves_[shader::leaf_array_word(array, leaf, header_.node_capacity) + word];
     }
 
     shader::GuidingHeader header_;

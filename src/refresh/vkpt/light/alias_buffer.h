@@ -2,7 +2,7 @@
 // An alias table over all lights on the GPU, as shaders/light/alias.glsl reads it.
 #pragma once
 
-#include "refresh/vkpt/light/growing_buffer.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
 
 #include <span>
 
@@ -19,7 +19,7 @@ public:
     const gpu::Buffer& buffer() const { return table_.buffer(); }
 
 private:
-    GrowingBuffer table_;
+    gpu::GrowingBuffer table_;
 };
 
 } // namespace vigil::vkpt

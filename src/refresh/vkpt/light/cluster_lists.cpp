@@ -32,11 +32,11 @@ LightListLimits ClusterLists::limits_of(const gpu::Device& device) {
 }
 
 LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char* which,
-                               bool& told) const {
+                               bool& warned) const {
     LightListLimits limits = limits_;
-    if (told) limits.steps = 0; // refused once, and not tried again in every frame
+    if (warned) limits.steps = 0; // refused once, and not tried again in every frame
     LightLists lists = lister_.build(lights, limits);
-    if (!lists.refused.empty() && !std::exchange(told, true))
+    if (!lists.refused.empty() && !std::exchange(warned, true))
         log_warning(
             "{}: light lists of {} {} lights in {} clusters {}; all clusters share the list "
             "of all lights, and the picture is noisier",
@@ -50,7 +50,7 @@ bool ClusterLists::prepare(const LightSet& lights) {
     if (!built_) {
         // A static light that is dark now may be switched on later: it is listed all the same.
         const LightLists lists =
-            build(triangles_of(lights, 0, first_moving, true), "static", static_told_);
+            build(triangles_of(lights, 0, first_moving, true), "static", static_warned_);
         static_pairs_ = lists.pair_count;
         renewed |= static_.set(lists);
         built_ = true;
@@ -59,7 +59,7 @@ bool ClusterLists::prepare(const LightSet& lights) {
         revision_ = lights.moving_revision();
         const auto count = static_cast<uint32_t>(lights.lights().size());
         const std::vector<LightTriangle> moving = triangles_of(lights, first_moving, count, false);
-        const LightLists lists = build(moving, "moving", moving_told_);
+        const LightLists lists = build(moving, "moving", moving_warned_);
         moving_pairs_ = lists.pair_count;
         renewed |= moving_.set(lists);
         const uint32_t counts[2] = {static_cast<uint32_t>(lists.ranges.size()),
@@ -70,7 +70,7 @@ bool ClusterLists::prepare(const LightSet& lights) {
 }
 
 void ClusterLists::upload(gpu::FrameCommands& commands) {
-    for (GrowingBuffer* buffer :
+    for (gpu::GrowingBuffer* buffer :
          {&static_.ranges, &static_.ids, &moving_.ranges, &moving_.ids, &counts_})
         buffer->upload(commands);
 }

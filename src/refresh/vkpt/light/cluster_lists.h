@@ -4,7 +4,7 @@
 // whenever one of them appears, vanishes or moves.
 #pragma once
 
-#include "refresh/vkpt/light/growing_buffer.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/light/technique.h"
 
@@ -33,21 +33,21 @@ private:
             const bool new_ranges = ranges.set(gpu::bytes_of(lists.ranges));
             return ids.set(gpu::bytes_of(lists.ids)) || new_ranges;
         }
-        GrowingBuffer ranges, ids;
+        gpu::GrowingBuffer ranges, ids;
     };
 
     /// What fits into the device's buffers, which grow by half.
     static LightListLimits limits_of(const gpu::Device& device);
-    LightLists build(std::span<const LightTriangle> lights, const char* which, bool& told) const;
+    LightLists build(std::span<const LightTriangle> lights, const char* which, bool& warned) const;
 
     const LightLister& lister_;
     LightListLimits limits_;
     ListBuffers static_, moving_;
-    GrowingBuffer counts_;
+    gpu::GrowingBuffer counts_;
     uint64_t revision_ = 0;
     uint64_t static_pairs_ = 0, moving_pairs_ = 0;
     bool built_ = false;
-    bool static_told_ = false, moving_told_ = false; // that lists were refused
+    bool static_warned_ = false, moving_warned_ = false; // that lists were refused
 };
 
 } // namespace vigil::vkpt

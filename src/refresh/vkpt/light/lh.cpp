@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `lh`: the Light Hierarchy (shaders/light/lh.glsl), built anew in every frame whose
 // lights differ from those of the frame before.
-#include "refresh/vkpt/light/growing_buffer.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
 #include "refresh/vkpt/light/light_hierarchy.h"
 #include "refresh/vkpt/light/technique.h"
 #include "refresh/vkpt/scene/light_set.h"
@@ -37,7 +37,7 @@ public:
     }
 
     void upload(gpu::FrameCommands& commands) override {
-        for (GrowingBuffer* buffer : {&nodes_, &leaf_lights_, &places_, &parents_})
+        for (gpu::GrowingBuffer* buffer : {&nodes_, &leaf_lights_, &places_, &parents_})
             buffer->upload(commands);
     }
     Bindings bindings() const override {
@@ -47,7 +47,7 @@ public:
 private:
     LightHierarchy hierarchy_;
     LightHierarchyOptions options_;
-    GrowingBuffer nodes_, leaf_lights_, places_, parents_;
+    gpu::GrowingBuffer nodes_, leaf_lights_, places_, parents_;
     uint64_t revision_ = 0;
 };
 

@@ -20,7 +20,7 @@ bool is_finite(const glm::vec3& v) {
 /// Whether nothing of a light would spread: the GPU adds its radiance to means.
 bool is_usable(const shader::Light& light) {
     return is_finite(light.v0) && is_finite(light.e1) && is_finite(light.e2) &&
-           shader::is_sound(light.radiance);
+           shader::is_finite_nonnegative(light.radiance);
 }
 
 } // namespace

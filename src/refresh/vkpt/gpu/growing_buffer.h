@@ -8,33 +8,33 @@
 #include <algorithm>
 #include <vector>
 
-namespace vigil::vkpt {
+namespace vigil::gpu {
 
 class GrowingBuffer {
 public:
-    GrowingBuffer(const gpu::Device& device, const char* name) : device_(&device), name_(name) {}
+    GrowingBuffer(const Device& device, const char* name) : device_(&device), name_(name) {}
 
     /// Sets what the next upload() copies. Returns true if the buffer was made anew.
     bool set(std::span<const std::byte> bytes) {
         pending_.assign(bytes.begin(), bytes.end());
         if (buffer_ && buffer_.bytes() >= bytes.size()) return false;
         device_->wait_idle();
-        buffer_ = gpu::Buffer(*device_, std::max<size_t>(bytes.size() + bytes.size() / 2, 256),
-                              gpu::MemoryUse::Device, name_);
+        buffer_ = Buffer(*device_, std::max<size_t>(bytes.size() + bytes.size() / 2, 256),
+                         MemoryUse::Device, name_);
         return true;
     }
     /// Records the copy, if there is something new.
-    void upload(gpu::FrameCommands& commands) {
+    void upload(FrameCommands& commands) {
         commands.upload(buffer_, 0, pending_);
         pending_.clear();
     }
-    const gpu::Buffer& buffer() const { return buffer_; }
+    const Buffer& buffer() const { return buffer_; }
 
 private:
-    const gpu::Device* device_;
+    const Device* device_;
     const char* name_;
-    gpu::Buffer buffer_;
+    Buffer buffer_;
     std::vector<std::byte> pending_;
 };
 
-} // namespace vigil::vkpt
+} // namespace vigil::gpu

@@ -1,18 +1,34 @@
-#version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `cdq_adapt` (paper, section 5.1): one work group, of one subgroup, per old leaf with samples. It adds up the squared contributions of
-// the leaf's rays in the leaves of its directional quadtree, to those of earlier rays that it remembers, and lets the quadtree's leaves
-// migrate from where they contribute least to where they contribute most. Of very many rays it takes some, evenly.
-#extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#include "shared/extensions.glsl"
-#include "guiding/passes.glsl"
+// Guider `cdq`: Compressed Directional Quadtrees (paper, section 5; shared/cdq.h), one per leaf of the octree. GUIDER_SIZE is
+// their number of bits.
+#ifndef VIGIL_GUIDING_CDQ_GLSL
+#define VIGIL_GUIDING_CDQ_GLSL
+
 #include "shared/cdq.h"
 
-layout(local_size_x_id = 0) in;
-layout(constant_id = 1) const uint CDQ_BITS = 128u;
-const uint LANES = gl_WorkGroupSize.x;
+#define GUIDES 1
+
+struct Guide {
+    uvec4 tree;
+};
+
+Guide guide_prepare(uvec4 words) { return Guide(words); }
+
+vec3 guide_sample(Guide guide, vec3 u) { return cdq_sample(guide.tree, GUIDER_SIZE, u); }
+
+float guide_pdf(Guide guide, vec3 direction) { return cdq_pdf(guide.tree, GUIDER_SIZE, direction); }
+
+/// Leaves have borders where they are some pixels wide.
+bool guide_border(Guide guide, vec2 uv, float edge) {
+    const float cells = float(1u << cdq_find(guide.tree, uv).depth);
+    return edge >= 5.0 * cells && any(lessThan(fract(uv * cells), vec2(cells / edge)));
+}
+
+#ifdef GUIDE_LEARNS
+// It adds up the squared contributions of the leaf's rays in the leaves of its directional quadtree, to those of earlier rays
+// that it remembers, and lets the quadtree's leaves migrate from where they contribute least to where they contribute most
+// (paper, section 5.1).
+
 const uint MOST_LANES = 128u;
 
 shared uint sums[CDQ_MOST_BITS];        // squared contributions by leaf, as floats' bits
@@ -48,13 +64,10 @@ uint find_node(uvec2 grid) {
     return node;
 }
 
-/// Rays that an octree leaf has stored.
-uint stored_rays(uint leaf) { return min(old_leaves[leaf_word(LEAF_RAYS, 1u, leaf)], old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf) + 1u]); }
-
 /// Adds up an octree leaf's rays, of `rays` > 0 at most `most`, evenly: lanes that found the same quadtree leaf first among themselves,
 /// then in shared memory.
 void accumulate(uint leaf, uint rays, uint most) {
-    const uint first = old_leaves[leaf_word(LEAF_STORAGE, 2u, leaf)];
+    const uint first = old_leaves[leaf_word(LEAF_STORAGE, leaf)];
     const uint count = min(rays, most);
     const uint stride = rays / count;
     for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
@@ -78,8 +91,8 @@ void search(uvec4 tree, out uint leaf, out uint inner) {
     float least = 3e38;
     uint own_leaf = NONE;
     uint own_inner = NONE;
-    const uvec4 starts = cdq_level_starts(tree, CDQ_BITS);
-    for (uint node = lane; node < CDQ_BITS; node += LANES) {
+    const uvec4 starts = cdq_level_starts(tree, GUIDER_SIZE);
+    for (uint node = lane; node < GUIDER_SIZE; node += LANES) {
         const uint child = first_child[node];
         if (child == 0u) {
             if (!(sum_of(node) > 0.0)) continue;
@@ -122,7 +135,7 @@ void search(uvec4 tree, out uint leaf, out uint inner) {
 }
 
 void find_children(uvec4 tree) {
-    for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES)
+    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES)
         first_child[node] = cdq_is_inner(tree, node) ? cdq_child(tree, node, 0u) : 0u;
 }
 
@@ -132,10 +145,10 @@ void move_sums(uvec4 tree, uint inner, uint leaf) {
     const float inner_sum = sum_of(removed) + sum_of(removed + 1u) + sum_of(removed + 2u) + sum_of(removed + 3u);
     const uint inserted = cdq_child(tree, leaf > removed ? leaf - 4u : leaf, 0u);
     const float part = 0.25 * sum_of(leaf);
-    // A lane has CDQ_BITS / LANES nodes, and work groups have 4 lanes at least.
+    // A lane has GUIDER_SIZE / LANES nodes, and work groups have 4 lanes at least.
     float moved[32];
     uint count = 0u;
-    for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES) {
+    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES) {
         float value = part;
         if (node < inserted || node >= inserted + 4u) {
             uint old = node >= inserted + 4u ? node - 4u : node;
@@ -146,15 +159,13 @@ void move_sums(uvec4 tree, uint inner, uint leaf) {
     }
     barrier();
     count = 0u;
-    for (uint node = gl_LocalInvocationID.x; node < CDQ_BITS; node += LANES) sums[node] = floatBitsToUint(moved[count++]);
+    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES) sums[node] = floatBitsToUint(moved[count++]);
 }
 
-void main() {
+/// Lets the quadtree of an octree leaf with `own_rays` > 0 follow them. Of very many rays it takes some, evenly.
+void guide_learn(uint octree_leaf_index, uint own_rays) {
     const uint lane = gl_LocalInvocationID.x;
-    const uint octree_leaf_index = leaf_lists[gl_WorkGroupID.x];
-    const uint own_rays = stored_rays(octree_leaf_index);
-    if (own_rays == 0u) return;
-    const uint words = leaf_word(LEAF_CDQ, 4u, octree_leaf_index);
+    const uint words = leaf_word(LEAF_GUIDE, octree_leaf_index);
     uvec4 tree = uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]);
 
     // The few rays of one leaf and frame say too little about a hundred directions. Those of its neighbours count as well, one face after
@@ -162,18 +173,18 @@ void main() {
     uint rays = own_rays;
     uint faces = 0u;
     for (; faces < 6u && rays < settings.memory_rays; ++faces) {
-        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, octree_leaf_index) + faces];
+        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, octree_leaf_index) + faces];
         if (neighbour != NONE) rays += stored_rays(neighbour);
     }
-    const float kept = cdq_kept(settings, rays);
-    const uint memory = leaf_word(LEAF_SUMS, CDQ_SUM_WORDS, octree_leaf_index);
-    for (uint node = lane; node < CDQ_BITS; node += LANES)
+    const float kept = guide_kept(settings, rays);
+    const uint memory = leaf_word(guide_memory(CDQ_SUM_WORDS), octree_leaf_index);
+    for (uint node = lane; node < GUIDER_SIZE; node += LANES)
         sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
     find_children(tree);
     barrier();
     accumulate(octree_leaf_index, own_rays, CDQ_MOST_RAYS);
     for (uint face = 0u; face < faces; ++face) {
-        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, 6u, octree_leaf_index) + face];
+        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, octree_leaf_index) + face];
         const uint more = neighbour == NONE ? 0u : stored_rays(neighbour);
         if (more > 0u) accumulate(neighbour, more, CDQ_MOST_NEIGHBOUR_RAYS);
     }
@@ -185,7 +196,7 @@ void main() {
         search(tree, leaf, inner);
         if (leaf == NONE) break;
         const uvec4 after = cdq_migrate(tree, inner, leaf);
-        if (migrated + 1u < settings.migrations || settings.sum_words > 0u) {
+        if (migrated + 1u < settings.migrations || settings.memory_words > 0u) {
             move_sums(after, inner, leaf);
             barrier();
             find_children(after);
@@ -193,10 +204,13 @@ void main() {
         }
         tree = after;
     }
-    for (uint word = lane; word < min(settings.sum_words, CDQ_BITS / 2u); word += LANES)
+    for (uint word = lane; word < min(settings.memory_words, GUIDER_SIZE / 2u); word += LANES)
         old_leaves[memory + word] = pack_sums(min(sum_of(2u * word), 1e37), min(sum_of(2u * word + 1u), 1e37));
     if (lane == 0u && migrated > 0u) {
         for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = tree[word];
         atomicAdd(work.cdq_migrations, migrated);
     }
 }
+#endif
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Guider `lobe`: one lobe per leaf of the octree, around the mean direction m (unit) of what rays brought. Its density is
+// (n + 1) / 4 pi * ((1 + m.w) / 2)^n. The mean of m.w is then n / (n + 2), so that a mean vector of length r asks for
+// n = 2 r / (1 - r). Without rays n is 0: all directions alike.
+#ifndef VIGIL_GUIDING_LOBE_GLSL
+#define VIGIL_GUIDING_LOBE_GLSL
+
+#include "shared/sampling.h"
+
+#define GUIDES 1
+
+const float LOBE_SHARPEST = 64.0;
+
+struct Guide {
+    vec3 mean; // unit
+    float power;
+};
+
+/// `words` are the sum of directions, weighted, and the sum of weights.
+Guide guide_prepare(uvec4 words) {
+    const vec4 sums = uintBitsToFloat(words);
+    Guide guide = Guide(vec3(0.0, 0.0, 1.0), 0.0);
+    const float size = length(sums.xyz);
+    if (!(size > 1e-6 * sums.w)) return guide;
+    guide.mean = sums.xyz / size;
+    const float r = min(size / sums.w, 1.0);
+    guide.power = min(2.0 * r / max(1.0 - r, 1e-6), LOBE_SHARPEST);
+    return guide;
+}
+
+vec3 guide_sample(Guide guide, vec3 u) {
+    // t = (1 + m.w) / 2 has the distribution function t^(n + 1).
+    const float t = pow(u.x, 1.0 / (guide.power + 1.0));
+    const float cosine = 2.0 * t - 1.0;
+    const float sine = 2.0 * sqrt(max(t * (1.0 - t), 0.0));
+    const float angle = 2.0 * PI * u.y;
+    return normalize(to_world(make_basis(guide.mean), vec3(sine * cos(angle), sine * sin(angle), cosine)));
+}
+
+float guide_pdf(Guide guide, vec3 direction) {
+    // |m + w| / 2 is the root of t: close to -m it keeps its digits, and 1 + m.w does not.
+    const vec3 half_sum = 0.5 * (guide.mean + direction);
+    return (guide.power + 1.0) / (4.0 * PI) * pow(min(dot(half_sum, half_sum), 1.0), guide.power);
+}
+
+bool guide_border(Guide guide, vec2 uv, float edge) { return false; }
+
+#ifdef GUIDE_LEARNS
+/// Directions weigh by what they contribute to the square of the estimate.
+void guide_learn(uint leaf, uint own_rays) {
+    const uint first = old_leaves[leaf_word(LEAF_STORAGE, leaf)];
+    const uint count = min(own_rays, CDQ_MOST_RAYS);
+    const uint stride = own_rays / count;
+    vec4 sums = vec4(0.0);
+    for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
+        const uint ray = ray_samples[first + i * stride];
+        const float contribution = ray_sample_contribution(ray);
+        const vec2 uv = (vec2(ray_sample_grid(ray)) + 0.5) / float(1u << CDQ_MAX_DEPTH);
+        sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);
+    }
+    sums = subgroupAdd(sums);
+    if (!subgroupElect()) return;
+    const uint words = leaf_word(LEAF_GUIDE, leaf);
+    const float kept = guide_kept(settings, own_rays);
+    for (uint word = 0u; word < 4u; ++word) {
+        const float sum = kept * uintBitsToFloat(old_leaves[words + word]) + sums[word];
+        old_leaves[words + word] = floatBitsToUint(clamp(sum, -1e37, 1e37));
+    }
+}
+#endif
+
+#endif

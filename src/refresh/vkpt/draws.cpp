@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/draws.h"
+
+#include "common/error.h"
+#include "formats/image.h"
+#include "refresh/vkpt/gpu/passes.h"
+#include "refresh/vkpt/gpu/shader_library.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace vigil::vkpt {
+
+namespace {
+
+/// So that looking for common pixels stays cheap.
+constexpr uint32_t most_in_batch = 256;
+
+bool overlap(const shader::DrawRect& a, const shader::DrawRect& b) {
+    return glm::all(glm::lessThan(a.shown_from, b.shown_to)) &&
+           glm::all(glm::lessThan(b.shown_from, a.shown_to));
+}
+
+struct Push {
+    uint32_t first_draw, screen_width;
+};
+
+} // namespace
+
+Draws::Draws(const gpu::Device& device, gpu::PipelineCompiler& compiler)
+    : device_(device), compiler_(compiler), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      rect_buffer_(device, "draws"),
+      set_(device, std::vector(3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), unused_, "draw set"),
+      layout_(gpu::make_pipeline_layout(device, std::array{set_.layout()})) {}
+
+refresh::PictureHandle Draws::register_picture(const FileSystem& files, std::string_view name) {
+    const auto known = handles_.find(name);
+    if (known != handles_.end()) return known->second;
+    const Image image = decode_image(name, files.read(name));
+    const size_t first = texels_.size();
+    texels_.resize(first + image.rgba.size() / 4);
+    std::memcpy(&texels_[first], image.rgba.data(), image.rgba.size());
+    pictures_.push_back({static_cast<uint32_t>(first), {image.width, image.height}});
+    new_texels_ = true;
+    const auto handle = static_cast<refresh::PictureHandle>(pictures_.size() - 1);
+    handles_.emplace(name, handle);
+    return handle;
+}
+
+const Draws::Picture& Draws::picture(refresh::PictureHandle handle) const {
+    if (handle < 0 || static_cast<size_t>(handle) >= pictures_.size())
+        fail("picture {}: no picture was registered under this number", handle);
+    return pictures_[static_cast<size_t>(handle)];
+}
+
+glm::ivec2 Draws::size_of(refresh::PictureHandle handle) const {
+    return picture(handle).size;
+}
+
+void Draws::add(const refresh::Draw& draw, glm::ivec2 screen) {
+    const Picture shown = draw.picture == refresh::no_picture ? Picture() : picture(draw.picture);
+    // In 64 bits: corners and sizes may be anything.
+    using Place = glm::i64vec2;
+    const Place corner(draw.corner), clip(draw.clip_corner);
+    const Place from = glm::max(glm::max(corner, clip), Place(0));
+    const Place to =
+        glm::min(glm::min(corner + Place(draw.size), clip + Place(draw.clip_size)), Place(screen));
+    if (glm::any(glm::lessThanEqual(to, from))) return;
+    const shader::DrawRect rect{draw.corner,    draw.size,         glm::ivec2(from),
+                                glm::ivec2(to), draw.from,         draw.to,
+                                draw.color,     shown.first_texel, shown.size};
+    const glm::uvec2 groups = (glm::uvec2(to - from) + 7u) / 8u;
+    Batch* last = batches_.empty() ? nullptr : &batches_.back();
+    const bool joins =
+        last != nullptr && last->groups == groups && last->count < most_in_batch &&
+        std::none_of(rects_.begin() + last->first, rects_.end(),
+                     [&](const shader::DrawRect& other) { return overlap(rect, other); });
+    if (joins)
+        ++last->count;
+    else
+        batches_.push_back({static_cast<uint32_t>(rects_.size()), 1, groups});
+    rects_.push_back(rect);
+}
+
+void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
+                    std::span<const refresh::Draw> draws) {
+    rects_.clear();
+    batches_.clear();
+    width_ = size.x;
+    for (const refresh::Draw& draw : draws)
+        add(draw, glm::ivec2(size));
+    if (rects_.empty()) return;
+    if (!pipeline_)
+        pipeline_ = {compiler_, layout_.get(), {shader_code("draws"), {}, "draws", {set_.types()}}};
+    bool rebind = rect_buffer_.set(gpu::bytes_of(rects_)) || display.handle() != display_;
+    if (new_texels_) {
+        device_.wait_idle();
+        texel_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(texels_), "pictures");
+        new_texels_ = false;
+        rebind = true;
+    }
+    if (!rebind) return;
+    device_.wait_idle();
+    display_ = display.handle();
+    set_.bind(0, display);
+    set_.bind(1, rect_buffer_.buffer());
+    set_.bind(2, texel_buffer_ ? texel_buffer_ : unused_);
+}
+
+void Draws::record(gpu::FrameCommands& commands) {
+    if (rects_.empty()) return;
+    const PassScope scope(device_, commands, Pass::Draws);
+    const VkCommandBuffer buffer = commands.commands();
+    rect_buffer_.upload(commands);
+    const VkDescriptorSet set = set_.handle();
+    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set, 0,
+                            nullptr);
+    pipeline_.bind(buffer);
+    for (const Batch& batch : batches_) {
+        gpu::full_barrier(buffer);
+        const Push push{batch.first, width_};
+        vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
+                           &push);
+        vkCmdDispatch(buffer, batch.groups.x, batch.groups.y, batch.count);
+    }
+}
+
+} // namespace vigil::vkpt

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pictures and fills over the finished picture (refresh::Draw): keeps the pictures that were
+// registered, and records the pass that lays them over the display buffer.
+#pragma once
+
+#include "common/file_system.h"
+#include "refresh/refresh.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
+#include "refresh/vkpt/gpu/pipeline_compiler.h"
+#include "shared/draw.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vigil::vkpt {
+
+class Draws {
+public:
+    Draws(const gpu::Device& device, gpu::PipelineCompiler& compiler);
+
+    /// Handle of a picture file; loads it at first. Throws Error naming the file and the fault.
+    refresh::PictureHandle register_picture(const FileSystem& files, std::string_view name);
+    /// In texels. Throws Error if there is no such picture.
+    glm::ivec2 size_of(refresh::PictureHandle picture) const;
+
+    /// Brings what record() will draw over `display` (RGBA8, rows of `size.x` words). Throws Error
+    /// if there is no such picture.
+    void prepare(const gpu::Buffer& display, glm::uvec2 size, std::span<const refresh::Draw> draws);
+    /// Records the pass; after a barrier behind the pass before, and ends with one.
+    void record(gpu::FrameCommands& commands);
+
+private:
+    struct Picture {
+        uint32_t first_texel = 0;
+        glm::uvec2 size{0, 0};
+    };
+    const Picture& picture(refresh::PictureHandle handle) const;
+    void add(const refresh::Draw& draw, glm::ivec2 screen);
+
+    const gpu::Device& device_;
+    gpu::PipelineCompiler& compiler_;
+    std::map<std::string, refresh::PictureHandle, std::less<>> handles_;
+    std::vector<Picture> pictures_;
+    std::vector<uint32_t> texels_; // of all pictures, RGBA8
+    bool new_texels_ = false;
+    gpu::Buffer texel_buffer_;
+    gpu::Buffer unused_;
+    gpu::GrowingBuffer rect_buffer_;
+    gpu::DescriptorSet set_;
+    gpu::Handle<VkPipelineLayout> layout_;
+    gpu::ComputePipeline pipeline_; // made by the first frame that draws
+
+    /// Rectangles that one dispatch draws: of as many work groups each, and without a common pixel.
+    struct Batch {
+        uint32_t first = 0, count = 0;
+        glm::uvec2 groups{0, 0};
+    };
+    std::vector<shader::DrawRect> rects_; // of this frame
+    std::vector<Batch> batches_;
+    uint32_t width_ = 0;
+    VkBuffer display_ = VK_NULL_HANDLE; // that the set is of
+};
+
+} // namespace vigil::vkpt
