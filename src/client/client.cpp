@@ -45,7 +45,6 @@ Client::Client(const ClientParts& parts)
     add_play_commands(*this);
     add_guiding_commands(*this);
     add_preset_commands(*this);
-    add_soak_command(*this);
     add_demo_commands(*this);
     add_compare_commands(*this);
     add_window_commands(*this);

@@ -186,7 +186,6 @@ void add_play_commands(Client& client);
 void add_guiding_commands(Client& client);
 void add_preset_commands(Client& client);
 void add_demo_commands(Client& client);
-void add_soak_command(Client& client);
 /// compare, comparemove, +comparedrag.
 void add_compare_commands(Client& client);
 /// togglemenu, resolution.

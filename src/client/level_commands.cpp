@@ -94,7 +94,7 @@ void add_level_commands(Client& client) {
                  });
     commands.add("scene", ": says what the level switched on in the renderer, and why",
                  [&client](CommandArguments) {
-                     log_info("{}", client.session_in_level().renderer().describe_scene());
+                     log_info("{}", client.session_in_level().describe_scene());
                  });
     commands.add("device", ": names the graphics device and its driver",
                  [&client](CommandArguments) {

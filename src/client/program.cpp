@@ -105,7 +105,8 @@ std::unique_ptr<platform::Window> make_window(const CvarRegistry& variables) {
     return platform::open_window(variables.get_text("vid_driver"), options);
 }
 
-int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
+int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
+                 const std::function<void(Client&)>& add_commands) {
     CvarRegistry& variables = cvars();
     apply_early_sets(line, variables);
     FileSystem files;
@@ -138,6 +139,7 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
     if (!advice.empty()) log_info("{}", advice);
 
     Client client({files, commands, bindings, console, overlay, *renderer, window.get()});
+    if (add_commands) add_commands(client);
     run_autoexec(commands, files);
     apply_early_sets(line, variables);
     const int failures_before = commands.failures();
@@ -174,7 +176,8 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer) {
 
 } // namespace
 
-int run_program(std::span<const char* const> words, const MakeRenderer& make_renderer) {
+int run_program(std::span<const char* const> words, const MakeRenderer& make_renderer,
+                const std::function<void(Client&)>& add_commands) {
     const TerminalLog terminal;
     try {
         const CommandLine line = parse_command_line(words);
@@ -186,7 +189,7 @@ int run_program(std::span<const char* const> words, const MakeRenderer& make_ren
             fmt::print("{}\n", version);
             return 0;
         }
-        return run_commands(line, make_renderer);
+        return run_commands(line, make_renderer, add_commands);
     } catch (const std::exception& error) {
         log_error("{}", error.what());
         return 1;

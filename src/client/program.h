@@ -12,6 +12,8 @@
 
 namespace vigil::client {
 
+class Client;
+
 /// Makes the renderer; `surface` is null when headless. Throws Error.
 using MakeRenderer = std::function<std::unique_ptr<refresh::Renderer>(
     FileSystem&, refresh::SurfaceProvider* surface, const refresh::Settings& settings)>;
@@ -21,6 +23,8 @@ using MakeRenderer = std::function<std::unique_ptr<refresh::Renderer>(
 /// played before); autoexec.cfg of the game; the other commands of the command line; frames.
 /// Returns 0; or 1 with a message when the program cannot start or go on, and, headless, when a
 /// command failed.
-int run_program(std::span<const char* const> words, const MakeRenderer& make_renderer);
+/// `add_commands` adds more commands than the client has.
+int run_program(std::span<const char* const> words, const MakeRenderer& make_renderer,
+                const std::function<void(Client&)>& add_commands = {});
 
 } // namespace vigil::client

@@ -250,8 +250,9 @@ public:
 
     /// Waits for the device.
     virtual Health health() const = 0;
-    /// Text of `scene`: what the level switched on, and why.
-    virtual std::string describe_scene() const = 0;
+    /// Text of `scene`: what the level switched on, and why, and how a frame with these settings
+    /// traces it.
+    virtual std::string describe_scene(const Settings& settings) const = 0;
     /// Text of one line: device and driver.
     virtual std::string describe_device() const = 0;
     /// Text of `guiding`: the memory that octree and light caches take, by buffer; or that guiding

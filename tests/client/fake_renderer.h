@@ -98,7 +98,7 @@ public:
                              {{"leaves", static_cast<double>(timed_)}}});
         return times;
     }
-    std::string describe_scene() const override { return "a fake scene"; }
+    std::string describe_scene(const refresh::Settings&) const override { return "a fake scene"; }
     std::string describe_device() const override { return log_.device; }
     std::string describe_guiding() const override { return "fake guiding"; }
     std::string describe_leaf() const override { return "a fake leaf"; }

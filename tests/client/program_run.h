@@ -30,7 +30,8 @@ protected:
     /// Runs headless on the game data in `basedir` with the words of `text`, split at spaces.
     /// Returns the exit status.
     int run_program_on(const std::string& basedir, const std::string& text,
-                       const MakeRenderer& make_renderer) {
+                       const MakeRenderer& make_renderer,
+                       const std::function<void(Client&)>& add_commands = {}) {
         std::istringstream stream("+set basedir " + basedir + " +set outdir " + game_.outdir() +
                                   " +set vid_driver headless " + text);
         std::vector<std::string> words;
@@ -39,7 +40,7 @@ protected:
         std::vector<const char*> pointers;
         for (const std::string& word : words)
             pointers.push_back(word.c_str());
-        return run_program(pointers, make_renderer);
+        return run_program(pointers, make_renderer, add_commands);
     }
 
     TestGame game_;

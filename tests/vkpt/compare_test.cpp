@@ -198,7 +198,7 @@ TEST_F(Compare, SwitchesWhileItIsOn) {
                           seen.width * seen.height / 20)
                     << compared << " " << nee << " from column " << begin;
             last = renderer().render(shot_.frame());
-            EXPECT_FALSE(renderer().describe_scene().empty());
+            EXPECT_FALSE(renderer().describe_scene(cvars().values()).empty());
             EXPECT_FALSE(renderer().describe_guiding().empty());
             EXPECT_FALSE(renderer().describe_leaf().empty());
             EXPECT_FALSE(renderer().describe_directions().empty());

@@ -16,7 +16,7 @@ class Features : public RenderTest {
 protected:
     /// Whether `scene` says that something is on.
     static bool says_on(const std::string& what) {
-        const std::string text = renderer().describe_scene();
+        const std::string text = renderer().describe_scene(cvars().values());
         const size_t at = text.find("\n  " + what);
         EXPECT_NE(at, std::string::npos) << what << " is missing in:\n" << text;
         const size_t word = text.find_first_not_of(' ', at + 3 + what.size());
@@ -211,7 +211,7 @@ TEST_F(Features, ABrokenLevelOrModelLeavesTheOneBefore) {
             Error);
         EXPECT_EQ(picture(), before);
     }
-    EXPECT_NE(renderer().describe_scene().find("lamp"), std::string::npos);
+    EXPECT_NE(renderer().describe_scene(cvars().values()).find("lamp"), std::string::npos);
 }
 
 } // namespace

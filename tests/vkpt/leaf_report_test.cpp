@@ -184,7 +184,7 @@ TEST_F(GuidingText, SaysWhenThereIsNothingToTell) {
     render(1);
     EXPECT_TRUE(says("guiding was off in the last frame: pt_nee sll"));
     EXPECT_NE(renderer().describe_guiding().find("guiding was off"), std::string::npos);
-    EXPECT_NE(renderer().describe_scene().find("guiding         off"), std::string::npos);
+    EXPECT_NE(renderer().describe_scene(cvars().values()).find("guiding         off"), std::string::npos);
     set("pt_nee", "vlc");
     load("opensky");
     EXPECT_TRUE(says("guiding was off")) << "before the level's first frame";
@@ -221,7 +221,7 @@ TEST_F(GuidingText, MemoryAddsUp) {
     ASSERT_EQ(bytes.size(), 7u);
     EXPECT_EQ(bytes.back(), renderer().guiding().memory_bytes());
     EXPECT_EQ(std::accumulate(bytes.begin(), bytes.end() - 1, uint64_t{0}), bytes.back());
-    EXPECT_NE(renderer().describe_scene().find("octree of "), std::string::npos);
+    EXPECT_NE(renderer().describe_scene(cvars().values()).find("octree of "), std::string::npos);
 }
 
 TEST_F(GuidingText, CountsComeWithTheTimesOfTheirFrame) {

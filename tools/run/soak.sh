@@ -9,19 +9,20 @@ soak() {
   [[ "${1:-}" =~ ^[0-9.]+$ ]] || die "soak: how many minutes?"
   if [ $folder = build ]; then
     build
+    ninja -C build vigil_soak
   else
     set_up
     configure_sanitized
     step "Building the program with AddressSanitizer and UndefinedBehaviorSanitizer in build-asan/"
-    ninja -C build-asan vigil
+    ninja -C build-asan vigil_soak
   fi
   choose_driver
   # No frame of a soak takes ten minutes: one that does will never end.
   LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \
     timeout --foreground "$(awk -v minutes="$1" 'BEGIN { print 60 * minutes + 600 }')" \
-    $folder/vigil +set vid_driver headless +set vid_width 160 +set vid_height 90 +set vk_validation 2 \
+    $folder/vigil_soak +set vid_driver headless +set vid_width 160 +set vid_height 90 +set vk_validation 2 \
     +soak "$1" "${2:-1}" +quit || status=$?
   [ $status != 124 ] || note "soak: stuck in a frame, and ended ten minutes after its time"
-  [ $status = 0 ] || note "what was typed is in out/soak.cfg; docs/playing.md tells how to type it again"
+  [ $status = 0 ] || note "what was typed is in out/soak.cfg; docs/tests.md tells how to type it again"
   return $status
 }

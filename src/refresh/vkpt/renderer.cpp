@@ -176,7 +176,7 @@ void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
 std::vector<PictureSide> VkptRenderer::picture_sides() const {
     const SceneFeatures features = scene_->features();
     const auto describe = [&](const Side& side, uint32_t first, uint32_t end) {
-        return PictureSide{{side.id(), features, use_ray_query(), side.guide()},
+        return PictureSide{{side.id(), features, use_ray_query(settings_), side.guide()},
                            side.technique()->samples_lights() && features.lights,
                            side.guided(),
                            side.guiding().set(),
@@ -207,12 +207,12 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
                         names);
 }
 
-bool VkptRenderer::use_ray_query() const {
+bool VkptRenderer::use_ray_query(const refresh::Settings& settings) const {
     // The compute hierarchy is the default on CPUs, where ray queries are slow, and wherever they
     // are missing.
     const bool offered = device_.features().ray_query && !ray_query_failed_;
-    if (settings_.pt_trace == setting_choice("pt_trace", "query")) return offered;
-    return settings_.pt_trace == setting_choice("pt_trace", "auto") && offered &&
+    if (settings.pt_trace == setting_choice("pt_trace", "query")) return offered;
+    return settings.pt_trace == setting_choice("pt_trace", "auto") && offered &&
            !device_.features().is_cpu;
 }
 
@@ -237,7 +237,7 @@ void VkptRenderer::follow_guide_setting() {
 
 bool VkptRenderer::prepare_ray_query() {
     try {
-        return scene_->prepare_ray_query(use_ray_query());
+        return scene_->prepare_ray_query(use_ray_query(settings_));
     } catch (const Error& error) {
         log_error("ray queries: {}; our BVH in compute is used", error.what());
         ray_query_failed_ = true;
@@ -271,7 +271,7 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
     shader::FrameParams relevant = params;
     if (!scene_->features().liquid && !scene_->features().animation) relevant.time_s = 0.0f;
     relevant.settings = {}; // compared by what they affect
-    const uint64_t more[] = {scene_->revision(), use_ray_query(), split_column()};
+    const uint64_t more[] = {scene_->revision(), use_ray_query(settings_), split_column()};
     std::vector<std::byte> key(sizeof(relevant) + sizeof(more));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
@@ -518,17 +518,17 @@ refresh::Health VkptRenderer::health() const {
     return {nonfinite_count(), device_.validation_messages()};
 }
 
-std::string VkptRenderer::describe_scene() const {
+std::string VkptRenderer::describe_scene(const refresh::Settings& settings) const {
     if (!scene_) return "no level is loaded";
     std::string text = scene_->describe();
     text += fmt::format("\n  ray tracing     {}",
-                        use_ray_query() ? "VK_KHR_ray_query" : "our BVH in compute");
+                        use_ray_query(settings) ? "VK_KHR_ray_query" : "our BVH in compute");
     text += fmt::format("\n  light sampling  {}: {}",
-                        technique_infos[static_cast<size_t>(settings_.pt_nee)].name,
-                        technique_infos[static_cast<size_t>(settings_.pt_nee)].help);
+                        technique_infos[static_cast<size_t>(settings.pt_nee)].name,
+                        technique_infos[static_cast<size_t>(settings.pt_nee)].help);
     if (right_)
         text += fmt::format("\n  compared with   {}",
-                            choice_name(compare_choices, settings_.pt_compare));
+                            choice_name(compare_choices, settings.pt_compare));
     text += fmt::format("\n  guiding         {}", guiding_line());
     if (const uint32_t count = nonfinite_count(); count > 0)
         text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",

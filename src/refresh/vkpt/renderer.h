@@ -41,7 +41,7 @@ public:
     refresh::RadiancePicture read_radiance() override;
     std::vector<refresh::FrameTimes> take_frame_times(bool wait) override;
     refresh::Health health() const override;
-    std::string describe_scene() const override;
+    std::string describe_scene(const refresh::Settings& settings) const override;
     std::string describe_device() const override;
     std::string describe_guiding() const override;
     std::string describe_leaf() const override;
@@ -87,7 +87,7 @@ private:
     void record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides);
     void record_black(gpu::FrameCommands& commands);
     void remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides);
-    bool use_ray_query() const;
+    bool use_ray_query(const refresh::Settings& settings) const;
     void follow_trace_setting();
     void follow_guide_setting();
     bool prepare_ray_query();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "client/soak.h"
+#include "soak/soak.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "client/soak_script.h"
+#include "soak/soak_script.h"
 
 #include "common/error.h"
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The console command soak.
+#include "soak/soak_command.h"
+
 #include "client/arguments.h"
 #include "client/client.h"
-#include "client/soak.h"
-#include "client/soak_script.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "console/outdir.h"
+#include "soak/soak.h"
+#include "soak/soak_script.h"
 #include "world/level.h"
 
 namespace vigil::client {
