@@ -25,8 +25,8 @@ inline constexpr int reference_batch_paths = 8;
 /// What was seen of one run's measured frames.
 struct Measurement {
     std::vector<std::vector<float>> pictures; // linear radiance, RGB, rows from the top
-    // Median milliseconds by pass (the order of refresh/vkpt/gpu/passes.h) over the second half of the
-    // warm-up and the measured frames; 0 where the pass did not run.
+    // Median milliseconds by pass (the order of refresh/vkpt/gpu/passes.h) over the second half of
+    // the warm-up and the measured frames; 0 where the pass did not run.
     std::vector<double> pass_ms;
     // Median milliseconds from one frame to the next over the second half of the warm-up: what the
     // host does for a frame counts where the device waits for it. NaN without a warm-up.
@@ -41,7 +41,7 @@ struct Measurement {
 /// What one frame of a flight cost, milliseconds.
 struct FrameCost {
     std::vector<double>
-        pass_ms;           // in the order of refresh/vkpt/gpu/passes.h; 0 for those that did not run
+        pass_ms; // in the order of refresh/vkpt/gpu/passes.h; 0 for those that did not run
     double frame_ms = 0.0; // by the clock of the host
 };
 

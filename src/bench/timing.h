@@ -18,7 +18,8 @@ namespace vigil::bench {
 
 struct TimingRow {
     QualityRow row;
-    // Median over the repeats, [frame][pass] in the order of refresh/vkpt/gpu/passes.h, milliseconds.
+    // Median over the repeats, [frame][pass] in the order of refresh/vkpt/gpu/passes.h,
+    // milliseconds.
     std::vector<std::vector<double>> pass_ms;
     Strata prepare_ms, path_ms, frame_ms; // [frame][repeat]
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The renderer's interface: what a frame is (view, entities, dynamic lights, light styles) and what
-// comes back (a picture, linear radiance, times per pass). The client fills a Frame; refresh/vkpt
-// draws it. Nothing here knows Vulkan beyond the opaque handles a window needs to make a surface.
+// The renderer's interface: what a frame is (settings, view, entities, lights, pictures on top) and
+// what comes back (a picture, linear radiance, times per pass). A front end fills a Frame, and
+// refresh/vkpt draws it; tests/examples/one_frame.cpp is the shortest. Nothing here knows Vulkan
+// beyond the opaque handles a window needs to make a surface.
 #pragma once
 
 #include "refresh/settings.h"
@@ -104,8 +105,8 @@ struct Draw {
     glm::ivec2 size{0};
     glm::vec2 from{0.0f}; // the part of the picture: 0..1, from its top left
     glm::vec2 to{1.0f};
-    glm::vec4 color{
-        1.0f}; // factor on its colours (sRGB-encoded) and opacity; the colour without a picture
+    // Factor on its colours (sRGB-encoded) and opacity; without a picture, colour and opacity.
+    glm::vec4 color{1.0f};
     glm::ivec2 clip_corner{0};
     glm::ivec2 clip_size{std::numeric_limits<int>::max()};
 };
@@ -117,7 +118,7 @@ inline constexpr float particle_radiance = 20.0f;
 inline constexpr int light_style_count = 256;
 
 struct Frame {
-    Settings settings;
+    Settings settings; // those of construction (vk_) are not looked at again
     View view;
     double time_s = 0.0; // drives warping, scrolling and animated textures
     std::span<const Entity> entities;
@@ -215,7 +216,7 @@ public:
 
     /// Uploads a level: geometry, materials, lights. Forgets all models of the level before. Throws
     /// Error and then keeps the level before. Random numbers start anew: the same frames after it
-    /// are the same pictures.
+    /// are the same pictures. Of the settings it takes pt_subdivide.
     virtual void load_level(std::shared_ptr<const Level> level, const Settings& settings) = 0;
 
     /// Handle of "*3" (brush model), "models/x.md2" or "models/x.glb"; loads it on first use.
@@ -228,9 +229,8 @@ public:
     /// Its size in texels. Throws Error if there is no such picture.
     virtual glm::ivec2 picture_size(PictureHandle picture) const = 0;
 
-    /// Renders one frame and, with a window, presents it. Does nothing visible
-    /// before a level is loaded (the overlay still shows). Returns the frame's number, counted from
-    /// 0.
+    /// Renders one frame and, with a window, presents it. Before a level is loaded it shows draws
+    /// and overlay over black. Returns the frame's number, counted from 0.
     virtual uint64_t render(const Frame& frame) = 0;
 
     /// Who is told while render() waits for a compiler; null: nobody. It must outlive the renderer,

@@ -73,7 +73,8 @@ void expect_consistent(const Light& light, Random& random, int draws) {
             vec2 u = random_next2(random);
             if (i < 4) u = vec2(i & 1 ? below_one : 0.0f, i & 2 ? below_one : 0.0f);
             const LightSample seen = sample_light(light, near, vec3(0.0f), u);
-            ASSERT_TRUE(is_finite_nonnegative(seen.pdf) && is_finite_nonnegative(seen.geometry) && is_finite_nonnegative(seen.distance));
+            ASSERT_TRUE(is_finite_nonnegative(seen.pdf) && is_finite_nonnegative(seen.geometry) &&
+                        is_finite_nonnegative(seen.distance));
             ASSERT_EQ(seen.pdf > 0.0f, seen.geometry > 0.0f);
             if (!(seen.pdf > 0.0f)) continue;
             ASSERT_NEAR(seen.pdf * seen.geometry, 1.0f, 1e-6f);
@@ -259,7 +260,8 @@ TEST(Lights, AnyBits) {
              {LIGHT_DENSITY_AUTO, LIGHT_DENSITY_AREA, LIGHT_DENSITY_SOLID_ANGLE}) {
             const SphericalTriangle near = near_light(light, position, density);
             const LightSample seen = sample_light(light, near, position, random_next2(random));
-            ASSERT_TRUE(is_finite_nonnegative(seen.geometry) && is_finite_nonnegative(seen.pdf)) << seen.geometry;
+            ASSERT_TRUE(is_finite_nonnegative(seen.geometry) && is_finite_nonnegative(seen.pdf))
+                << seen.geometry;
             positive += seen.pdf > 0.0f ? 1 : 0;
         }
         ASSERT_TRUE(is_finite_nonnegative(light_power(light)));

@@ -128,8 +128,8 @@ TEST(ExploreMemory, StaysSoundForAnySums) {
                                     amount(3.8e22f), amount(INFINITY), any_word(random) % 4096u,
                                     any_word(random) % 4096u);
             memory = explore_unpack(explore_pack(memory));
-            ASSERT_TRUE(is_finite_nonnegative(memory.listed) && is_finite_nonnegative(memory.known) &&
-                        is_finite_nonnegative(memory.found));
+            ASSERT_TRUE(is_finite_nonnegative(memory.listed) &&
+                        is_finite_nonnegative(memory.known) && is_finite_nonnegative(memory.found));
             ASSERT_TRUE(is_finite_nonnegative(memory.share) && memory.share <= EXPLORE_MOST * 1.01f)
                 << memory.share;
         }

@@ -61,7 +61,8 @@ protected:
                 const uint32_t first = shader::leaf_array_word(array, leaf, capacity);
                 for (uint32_t word = first; word < first + count; ++word)
                     for (const uint32_t half : {0u, 1u})
-                        ASSERT_TRUE(shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
+                        ASSERT_TRUE(
+                            shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
                             << "leaf " << leaf;
             };
             expect_finite(shader::LEAF_EXPLORE, 2);

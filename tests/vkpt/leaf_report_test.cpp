@@ -184,7 +184,8 @@ TEST_F(GuidingText, SaysWhenThereIsNothingToTell) {
     render(1);
     EXPECT_TRUE(says("guiding was off in the last frame: pt_nee sll"));
     EXPECT_NE(renderer().describe_guiding().find("guiding was off"), std::string::npos);
-    EXPECT_NE(renderer().describe_scene(cvars().values()).find("guiding         off"), std::string::npos);
+    EXPECT_NE(renderer().describe_scene(cvars().values()).find("guiding         off"),
+              std::string::npos);
     set("pt_nee", "vlc");
     load("opensky");
     EXPECT_TRUE(says("guiding was off")) << "before the level's first frame";

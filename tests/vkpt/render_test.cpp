@@ -189,7 +189,8 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
 }
 
 bool all_finite_nonnegative(std::span<const float> values) {
-    return std::ranges::all_of(values, [](float value) { return shader::is_finite_nonnegative(value); });
+    return std::ranges::all_of(values,
+                               [](float value) { return shader::is_finite_nonnegative(value); });
 }
 
 double sum_of(std::span<const float> values) {

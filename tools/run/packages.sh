@@ -23,6 +23,8 @@ tests   | tests run without Vulkan's validation | vulkan-validationlayers       
 tests   | exported scenes are not tested | libtinygltf-dev                           | tinygltf-devel                    | -
 tests   | no test opens a window, where there is no display | xvfb xauth             | xorg-x11-server-Xvfb xorg-x11-xauth | xorg-server-xvfb xorg-xauth
 tests   | no test types into a window   | xdotool libx11-dev                         | xdotool libX11-devel              | xdotool libx11
+tests   | rays are not compared with Embree's | libembree-dev                        | embree-devel                      | embree
+tests   | formatting is not checked     | clang-format                               | clang-tools-extra                 | clang
 tests   | page, plots and faults are not tested | python3                            | python3                           | python
 fuzz    | no fuzzing                    | clang libclang-rt-dev/clang                | clang compiler-rt                 | clang compiler-rt
 bench   | `bench trace` has nothing to compare with | libembree-dev                  | embree-devel                      | embree

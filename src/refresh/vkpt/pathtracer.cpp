@@ -32,9 +32,15 @@ std::string technique_name(const PathTracerVariant& variant) {
 
 std::vector<gpu::Specialization> specialization(const SceneFeatures& features,
                                                 const GuideChoice& guide) {
-    return {{CONSTANT_INSTANCES, features.instances},  {CONSTANT_TRANSLUCENT, features.translucent}, {CONSTANT_SKY, features.sky},
-            {CONSTANT_SUN, features.sun},        {CONSTANT_GLOSS, features.gloss},      {CONSTANT_LIQUID, features.liquid},
-            {CONSTANT_ANIMATION, features.animation}, {CONSTANT_LIGHTS, features.lights},     {CONSTANT_GUIDER_SIZE, guide.size}};
+    return {{CONSTANT_INSTANCES, features.instances},
+            {CONSTANT_TRANSLUCENT, features.translucent},
+            {CONSTANT_SKY, features.sky},
+            {CONSTANT_SUN, features.sun},
+            {CONSTANT_GLOSS, features.gloss},
+            {CONSTANT_LIQUID, features.liquid},
+            {CONSTANT_ANIMATION, features.animation},
+            {CONSTANT_LIGHTS, features.lights},
+            {CONSTANT_GUIDER_SIZE, guide.size}};
 }
 
 PathTracer::PathTracer(const gpu::Device& device, gpu::PipelineCompiler& compiler,

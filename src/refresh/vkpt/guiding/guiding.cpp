@@ -96,7 +96,8 @@ void Guiding::make_pipelines() {
     }
     if (options_.guide.guides()) {
         const std::string name = fmt::format("guide_adapt.{}", guider_name(options_.guide.guide));
-        make(guide_adapt(), name.c_str(), {{CONSTANT_GROUP_SIZE, subgroup}, {CONSTANT_GUIDER_SIZE, options_.guide.size}});
+        make(guide_adapt(), name.c_str(),
+             {{CONSTANT_GROUP_SIZE, subgroup}, {CONSTANT_GUIDER_SIZE, options_.guide.size}});
     }
 }
 
