@@ -44,7 +44,7 @@
     CHOICE(pt_nee, Session, Picture, "vlc", technique_choices, \
         "how next event estimation chooses a light") \
     CHOICE(pt_compare, Session, Reference, "none", compare_choices, \
-        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, +cdq or +lobe with guided rays") \
+        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, with guided rays where +cdq or another guider follows") \
     REAL(pt_compare_at, Session, Display, 0.5, 0.0, 1.0, \
         "where pt_compare splits the picture, in parts of its width; 0: all of it is the right side, 1: the left") \
     CHOICE(pt_trace, Session, Reference, "auto", "auto|bvh|query", \
@@ -106,11 +106,11 @@
     CHOICE(pt_cdq_bits, Session, Reference, "128", "32|64|96|128", \
         "cdq: size of a quadtree; 25, 49, 73 or 97 leaves") \
     GPU_REAL(pt_cdq_brdf, Session, Reference, 0.5, 0.0, 1.0, \
-        "cdq, lobe: share of rays drawn by the BRDF; 0: all by what was learned") \
+        "guided rays: share that the BRDF draws all the same; 0: none") \
     REAL(pt_cdq_margin, Session, Reference, 0.25, 0.0, 1.0, \
         "cdq: a quadtree is refined where this share of a leaf's contribution exceeds what is given up") \
     INTEGER(pt_cdq_rays, Session, Reference, 512, 0, 1000000, \
-        "cdq, lobe: a leaf follows about so many rays, near and recent ones; 0: its own of one frame, as the paper") \
+        "guided rays: a leaf follows about so many, near and recent ones; 0: its own of one frame, as the paper") \
     INTEGER(pt_cdq_migrations, Session, Reference, 4, 0, 16, "cdq: refinements of a quadtree per frame, at most") \
     GPU_REAL(pt_sky_scale, Session, Reference, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, Reference, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \

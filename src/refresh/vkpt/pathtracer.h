@@ -21,7 +21,7 @@ struct PathTracerVariant {
     Technique technique = Technique::sll;
     SceneFeatures features;
     bool ray_query = false;
-    GuideChoice guide; // of indirect rays
+    GuideChoice guide{}; // of indirect rays
     bool operator==(const PathTracerVariant&) const = default;
 };
 
