@@ -24,7 +24,6 @@ TEST(QuadtreeSums, AreStoredToHalfAPercent) {
 // Rounding must not hold up what fades: a sum that nothing is added to halves in time.
 TEST(QuadtreeSums, FadeAsTheyShould) {
     GuidingSettings settings{};
-    settings.memory_words = CDQ_SUM_WORDS;
     settings.memory_rays = 1024;
     uint word = pack_sums(1.0f, 1e-3f);
     for (int frame = 0; frame < 100; ++frame) {
@@ -38,9 +37,8 @@ TEST(QuadtreeSums, FadeAsTheyShould) {
 
 TEST(QuadtreeSums, KeepLessTheMoreRaysThereAre) {
     GuidingSettings settings{};
+    EXPECT_EQ(guide_kept(settings, 10), 0.0f) << "no memory";
     settings.memory_rays = 1000;
-    EXPECT_EQ(guide_kept(settings, 10), 0.0f) << "no sums, no memory";
-    settings.memory_words = CDQ_SUM_WORDS;
     EXPECT_FLOAT_EQ(guide_kept(settings, 250), 0.75f);
     EXPECT_EQ(guide_kept(settings, 1000), 0.0f);
     EXPECT_EQ(guide_kept(settings, 1000000), 0.0f);

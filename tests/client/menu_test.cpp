@@ -189,11 +189,11 @@ TEST_F(MenuTest, TheMousePointsAndClicks) {
     menu_.point({50, 21});
     EXPECT_EQ(menu_.chosen(), guide);
     press(Key::Mouse1);
-    EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
+    EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
     menu_.point({500, 20}); // beside it
     EXPECT_EQ(menu_.chosen(), guide);
     press(Key::Mouse1);
-    EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
+    EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
     menu_.point({50, 30});
     EXPECT_EQ(menu_.chosen(), guide + 1);
     press(Key::Mouse2);
@@ -204,7 +204,7 @@ TEST_F(MenuTest, TheMousePointsAndClicks) {
     menu_.point({50, 20});
     press(Key::Mouse1);
     EXPECT_EQ(menu_.chosen(), guide);
-    EXPECT_EQ(variables_.get_text("pt_guide"), "cdq");
+    EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
 }
 
 TEST_F(MenuTest, TheChoiceGoesRound) {

@@ -131,7 +131,7 @@ TEST(Legend, SaysThatQuadtreesAreOff) {
             std::ranges::find(content.classes, shader::VIEW_OFF, &LegendContent::Class::color);
         return row == content.classes.end() ? std::string() : row->text;
     };
-    EXPECT_EQ(off(), "quadtrees off: pt_guide brdf");
+    EXPECT_EQ(off(), "no guider: pt_guide brdf");
     subject.quadtrees = true;
     EXPECT_EQ(off(), "nothing under the cross");
 }

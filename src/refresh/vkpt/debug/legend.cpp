@@ -231,7 +231,7 @@ LegendContent legend_content(const LegendSubject& subject) {
         add_density_bar(content);
         content.classes.push_back({shader::VIEW_HORIZON, "horizon of the surface"});
         content.classes.push_back({shader::VIEW_OFF, subject.quadtrees ? "nothing under the cross"
-                                                                       : "off: pt_guide brdf"});
+                                                                       : "no guider: pt_guide brdf"});
         content.notes = {"left: drawn by what was learned", "right: light that arrives",
                          "middle: up; corners: down"};
         break;
