@@ -230,8 +230,9 @@ LegendContent legend_content(const LegendSubject& subject) {
         content.title = "directions: density per sr";
         add_density_bar(content);
         content.classes.push_back({shader::VIEW_HORIZON, "horizon of the surface"});
-        content.classes.push_back({shader::VIEW_OFF, subject.quadtrees ? "nothing under the cross"
-                                                                       : "no guider: pt_guide brdf"});
+        content.classes.push_back({shader::VIEW_OFF, subject.quadtrees
+                                                         ? "nothing under the cross"
+                                                         : "no guider: pt_guide brdf"});
         content.notes = {"left: drawn by what was learned", "right: light that arrives",
                          "middle: up; corners: down"};
         break;
