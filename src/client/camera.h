@@ -3,8 +3,8 @@
 // flies freely, through walls. Where a player walks, client/play.h places it.
 #pragma once
 
+#include "game/view_axes.h"
 #include "refresh/refresh.h"
-#include "world/view_axes.h"
 
 #include <glm/glm.hpp>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "client/demo_lights.h"
 #include "formats/dm2_protocol.h"
-#include "world/player_movement.h"
+#include "game/player_movement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include "client/light_styles.h"
 #include "formats/dm2_writer.h"
+#include "level/level.h"
 #include "refresh/refresh.h"
-#include "world/level.h"
 
 #include <memory>
 #include <span>

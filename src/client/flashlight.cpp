@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "client/flashlight.h"
 
-#include "world/view_axes.h"
+#include "game/view_axes.h"
 
 namespace vigil::client {
 

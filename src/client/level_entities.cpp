@@ -6,7 +6,7 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
-#include "world/player_movement.h"
+#include "game/player_movement.h"
 
 #include <algorithm>
 #include <charconv>

@@ -4,8 +4,8 @@
 // Nothing moves by itself here: client/play.h moves them, and `turn` turns one by hand.
 #pragma once
 
+#include "level/level.h"
 #include "refresh/refresh.h"
-#include "world/level.h"
 
 #include <functional>
 #include <glm/glm.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The level as it is played: lets the game (world/game.h) tick with the time of frames, gives it
+// The level as it is played: lets the game (game/game.h) tick with the time of frames, gives it
 // the keys or a scripted walk, and shows in the session what it says: eye, brush models, light
 // styles, bolts. Between two ticks everything is interpolated, so pictures are a tick late (1/100
 // s).
@@ -7,7 +7,7 @@
 
 #include "client/session.h"
 #include "client/walk.h"
-#include "world/game.h"
+#include "game/game.h"
 
 #include <map>
 #include <memory>

@@ -13,8 +13,8 @@
 #include "client/test_lights.h"
 #include "common/file_system.h"
 #include "console/cvar.h"
+#include "level/level.h"
 #include "refresh/refresh.h"
-#include "world/level.h"
 
 #include <cstdint>
 #include <memory>

@@ -4,9 +4,9 @@
 // colour of its own: where it is depends on the level, on N and on the time alone.
 #pragma once
 
+#include "game/collision_world.h"
+#include "level/level.h"
 #include "refresh/refresh.h"
-#include "world/collision_world.h"
-#include "world/level.h"
 
 #include <cstddef>
 #include <memory>

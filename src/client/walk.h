@@ -6,7 +6,7 @@
 #pragma once
 
 #include "common/file_system.h"
-#include "world/player_movement.h"
+#include "game/player_movement.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A Quake II level (IBSP, version 38): all 19 lumps of the file as checked vectors. Every index,
 // offset and float is verified once, in parse_bsp; whoever holds a Bsp never re-checks. It does not
-// build geometry (bsp_query.h) nor decompress visibility (world/pvs.h), and it skips BSPX lumps.
+// build geometry (bsp_query.h) nor decompress visibility (level/pvs.h), and it skips BSPX lumps.
 #pragma once
 
 #include "formats/entity.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Questions about one face or one point of a checked level: polygon, plane, texture coordinates,
-// leaf, animation. It does no collision and no visibility (world/).
+// leaf, animation. It does no collision and no visibility (level/, game/).
 #pragma once
 
 #include "formats/bsp.h"

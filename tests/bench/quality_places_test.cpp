@@ -5,7 +5,7 @@
 #include "common/file_system.h"
 #include "formats/bsp_query.h"
 #include "formats/real_levels.h"
-#include "world/level.h"
+#include "level/level.h"
 
 #include <gtest/gtest.h>
 

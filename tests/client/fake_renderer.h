@@ -4,8 +4,8 @@
 #pragma once
 
 #include "common/error.h"
+#include "level/level.h"
 #include "refresh/refresh.h"
-#include "world/level.h"
 
 #include <algorithm>
 #include <chrono>

@@ -5,8 +5,8 @@
 #include "client/play.h"
 #include "client/test_lights.h"
 #include "fake_renderer.h"
+#include "game/view_axes.h"
 #include "program_run.h"
-#include "world/view_axes.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>

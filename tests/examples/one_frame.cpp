@@ -7,8 +7,8 @@
 //     out.ppm
 #include "common/error.h"
 #include "common/file_system.h"
+#include "level/level.h"
 #include "refresh/refresh.h"
-#include "world/level.h"
 
 #include <algorithm>
 #include <cstdio>

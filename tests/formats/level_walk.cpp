@@ -3,8 +3,8 @@
 #include "level_walk.h"
 
 #include "formats/bsp_query.h"
-#include "world/game.h"
-#include "world/pvs.h"
+#include "game/game.h"
+#include "level/pvs.h"
 
 namespace vigil {
 

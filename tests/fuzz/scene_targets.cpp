@@ -2,6 +2,7 @@
 // From the bytes of a level to all that the renderer makes of it on the host: materials, geometry,
 // lights, light lists and hierarchies, each checked against what its header promises.
 #include "common/file_system.h"
+#include "level/level.h"
 #include "refresh/vkpt/light/alias_table.h"
 #include "refresh/vkpt/light/exploration.h"
 #include "refresh/vkpt/light/light_hierarchy.h"
@@ -11,7 +12,6 @@
 #include "refresh/vkpt/scene/world_geometry.h"
 #include "shared/firewall.h"
 #include "target.h"
-#include "world/level.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,8 +3,8 @@
 // and surfaces are looked up half a unit off: a light that lies up to one and a half units beyond,
 // and shines away from the cluster, may still shine on something in it.
 #include "formats/bsp.h"
+#include "level/pvs.h"
 #include "refresh/vkpt/light/light_lists.h"
-#include "world/pvs.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include "../formats/real_levels.h"
 #include "formats/bsp.h"
 #include "formats/bsp_query.h"
+#include "level/pvs.h"
 #include "refresh/vkpt/scene/bounds.h"
 #include "shared/random.h"
 #include "shared/sampling.h"
-#include "world/pvs.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

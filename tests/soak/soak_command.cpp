@@ -7,9 +7,9 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "console/outdir.h"
+#include "level/level.h"
 #include "soak/soak.h"
 #include "soak/soak_script.h"
-#include "world/level.h"
 
 namespace vigil::client {
 

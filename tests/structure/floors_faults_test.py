@@ -18,8 +18,8 @@ class Floors(unittest.TestCase):
             return faults(root)
 
     def test_down_is_fine(self):
-        self.assertEqual(self.found({"src/common/a.h": "", "src/world/level.h": '#include "common/a.h"\n',
-                                     "src/refresh/vkpt/b.cpp": '#include "world/level.h"\n'}), [])
+        self.assertEqual(self.found({"src/common/a.h": "", "src/level/level.h": '#include "common/a.h"\n',
+                                     "src/refresh/vkpt/b.cpp": '#include "level/level.h"\n'}), [])
 
     def test_up(self):
         lines = self.found({"src/console/cvar.h": "", "src/refresh/vkpt/gpu/a.h": '#include "console/cvar.h"\n'})
@@ -32,8 +32,12 @@ class Floors(unittest.TestCase):
         self.assertIn("circle", lines[0])
 
     def test_game_in_the_renderer(self):
-        lines = self.found({"src/world/game.h": "", "src/refresh/vkpt/a.cpp": '#include "world/game.h"\n'})
-        self.assertIn("level alone", lines[0])
+        lines = self.found({"src/game/game.h": "", "src/refresh/vkpt/a.cpp": '#include "game/game.h"\n'})
+        self.assertIn("do not know each other", lines[0])
+
+    def test_variables_in_the_renderer(self):
+        lines = self.found({"src/console/cvar.h": "", "src/refresh/vkpt/scene/a.h": '#include "console/cvar.h"\n'})
+        self.assertIn("do not know each other", lines[0])
 
     def test_no_file_and_no_floor(self):
         lines = self.found({"src/attic/a.h": "", "src/common/a.h": '#include "common/gone.h"\n'})

@@ -5,12 +5,12 @@
 #include "common/scratch_folder.h"
 #include "formats/bsp_query.h"
 #include "formats/small_models.h"
+#include "level/level.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
 #include "refresh/vkpt/scene/subdivide.h"
 #include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/world_geometry.h"
-#include "world/level.h"
 
 #include <algorithm>
 #include <cmath>

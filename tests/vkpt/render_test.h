@@ -7,9 +7,9 @@
 #include "common/file_system.h"
 #include "console/cvar.h"
 #include "judge.h"
+#include "level/level.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/renderer.h"
-#include "world/level.h"
 
 #include <functional>
 #include <gtest/gtest.h>

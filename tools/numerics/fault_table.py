@@ -46,8 +46,8 @@ LIGHT_TREE = part("light_tree", "tests/light/light_tree_test.cpp", LIGHT + "ligh
 HIERARCHY = part("light_hierarchy", "tests/light/light_hierarchy_test.cpp", "tests/light/light_hierarchy_oracle.cpp",
                  LIGHT + "light_hierarchy.cpp", LIGHT + "light_tree.cpp")
 LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/cluster_margin_test.cpp",
-             LIGHT + "light_lists.cpp", libraries=("vigil_world",), computes=False)
-PVS = part("pvs", "tests/formats/pvs_test.cpp", "tests/formats/small_level.cpp", "src/world/pvs.cpp",
+             LIGHT + "light_lists.cpp", libraries=("vigil_level",), computes=False)
+PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
            libraries=("vigil_formats",), computes=False)
 LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", SCENE + "light_set.cpp", libraries=("vigil_common",),
                  computes=False)
@@ -219,10 +219,10 @@ FAULTS = [
           "            if (front && back) stack.push_back({node.children[1], visit.polygon});",
           "            if (false) stack.push_back({node.children[1], visit.polygon});", LISTS, "ClustersTouched*",
           quick=True),
-    Fault("the PVS loses its last cluster", "src/world/pvs.cpp",
+    Fault("the PVS loses its last cluster", "src/level/pvs.cpp",
           "~uint64_t{0} >> (words_ * 64 - cluster_count_);", "(~uint64_t{0} >> (words_ * 64 - cluster_count_)) >> 1;",
           PVS, "Pvs*"),
-    Fault("a cluster of a damaged PVS does not see itself", "src/world/pvs.cpp",
+    Fault("a cluster of a damaged PVS does not see itself", "src/level/pvs.cpp",
           "        set_bit(row, cluster);", "        set_bit(row, cluster == 0 ? 0 : cluster - 1);", PVS, "Pvs*"),
 
     # Arithmetic at its limits.

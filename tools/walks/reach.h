@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where a player can get from a state: a search over places a step apart, whose steps are ticks of
-// the real movement (world/player_movement.h) in a world that stands still. Every place knows the
+// the real movement (game/player_movement.h) in a world that stands still. Every place knows the
 // way that led there. Cells of the search are `cell` units wide; of all ways into a cell the
 // quickest counts.
 #pragma once
 
-#include "world/player_movement.h"
+#include "game/player_movement.h"
 
 #include <functional>
 #include <vector>

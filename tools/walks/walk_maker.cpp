@@ -3,9 +3,9 @@
 
 #include "client/level_entities.h"
 #include "common/ascii_case.h"
+#include "game/actors/door.h"
+#include "game/view_axes.h"
 #include "walks/walk_report.h"
-#include "world/actors/door.h"
-#include "world/view_axes.h"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>

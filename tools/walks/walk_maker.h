@@ -6,8 +6,8 @@
 #pragma once
 
 #include "client/walk.h"
+#include "game/game.h"
 #include "walks/reach.h"
-#include "world/game.h"
 
 #include <memory>
 #include <set>

@@ -4,8 +4,8 @@
 #include "client/level_entities.h"
 #include "common/error.h"
 #include "formats/bsp_query.h"
-#include "world/actors/door.h"
-#include "world/game.h"
+#include "game/actors/door.h"
+#include "game/game.h"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "client/walk.h"
-#include "world/level.h"
-#include "world/player_movement.h"
+#include "game/player_movement.h"
+#include "level/level.h"
 
 #include <memory>
 #include <string>

@@ -2,8 +2,8 @@
 #include "refresh/vkpt/export_source.h"
 
 #include "formats/sky.h"
+#include "level/level.h"
 #include "refresh/vkpt/scene/scene.h"
-#include "world/level.h"
 
 #include <fmt/format.h>
 #include <map>

@@ -5,13 +5,13 @@
 #include "common/log.h"
 #include "common/output.h"
 #include "common/stopwatch.h"
+#include "level/level.h"
 #include "refresh/vkpt/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/gpu/first_dispatch.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
 #include "shared/direction_map.h"
 #include "shared/views.h"
-#include "world/level.h"
 
 #include <algorithm>
 #include <cstring>

@@ -4,7 +4,7 @@
 #include "refresh/vkpt/light/light_lists.h"
 
 #include "formats/bsp.h"
-#include "world/pvs.h"
+#include "level/pvs.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -4,12 +4,12 @@
 #include "common/error.h"
 #include "common/file_system.h"
 #include "common/log.h"
+#include "level/level.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
 #include "refresh/vkpt/scene/particle_geometry.h"
 #include "refresh/vkpt/scene/subdivide.h"
 #include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/world_geometry.h"
-#include "world/level.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,7 +2,7 @@
 #include "refresh/vkpt/scene/world_geometry.h"
 
 #include "formats/bsp_query.h"
-#include "world/level.h"
+#include "level/level.h"
 
 namespace vigil::vkpt {
 
