@@ -56,29 +56,6 @@ fs::path game_folder(const fs::path& basedir, std::string_view name) {
 
 } // namespace
 
-bool FileSource::add(std::string path, std::uint64_t bytes) {
-    std::replace(path.begin(), path.end(), '\\', '/');
-    if (!game_path_fault(path).empty()) {
-        if (skipped_++ == 0) first_skipped_ = std::move(path);
-        return false;
-    }
-    const bool added = by_lower_path_.try_emplace(ascii_lower(path), files_.size()).second;
-    if (added) files_.push_back({std::move(path), bytes});
-    return added;
-}
-
-void FileSource::report_skipped() const {
-    if (skipped_ > 0)
-        log_warning("{}: {} files skipped for unsafe names, the first is \"{}\", which {}", name_,
-                    skipped_, printable(first_skipped_), game_path_fault(first_skipped_));
-}
-
-std::optional<std::size_t> FileSource::find(const std::string& lower_path) const {
-    const auto found = by_lower_path_.find(lower_path);
-    if (found == by_lower_path_.end()) return std::nullopt;
-    return found->second;
-}
-
 FileSystem::FileSystem() = default;
 FileSystem::~FileSystem() = default;
 FileSystem::FileSystem(FileSystem&&) noexcept = default;
@@ -109,10 +86,10 @@ void FileSystem::mount_folder(const fs::path& folder) {
         if (ends_nocase(name, ".pkz")) pkzs.push_back(entry);
     }
 
-    sources_.push_back(open_loose_folder(folder));
+    mount(open_loose_folder(folder));
     const auto mount_archive = [&](auto open, const fs::path& archive) {
         try {
-            sources_.push_back(open(archive));
+            mount(open(archive));
         } catch (const Error& error) {
             log_error("{}; archive skipped", error.what());
         }
@@ -123,12 +100,15 @@ void FileSystem::mount_folder(const fs::path& folder) {
         mount_archive(open_zip, pkz);
 }
 
+void FileSystem::mount(std::unique_ptr<FileSource> source) {
+    sources_.push_back(std::move(source));
+}
+
 std::vector<std::uint8_t> FileSystem::read(std::string_view path) const {
     if (const auto fault = game_path_fault(path); !fault.empty())
         fail("\"{}\": not read, the path {}", printable(path), fault);
-    const std::string lower = ascii_lower(path);
     for (auto source = sources_.rbegin(); source != sources_.rend(); ++source)
-        if (const auto index = (*source)->find(lower)) return (*source)->read(*index);
+        if (auto bytes = (*source)->read(path)) return std::move(*bytes);
     fail("{}: no such file in the game folders", path);
 }
 
@@ -144,12 +124,10 @@ std::string FileSystem::read_text(std::string_view path) const {
 
 std::optional<FileSystem::Location> FileSystem::find(std::string_view path) const {
     if (!game_path_fault(path).empty()) return std::nullopt;
-    const std::string lower = ascii_lower(path);
     for (auto source = sources_.rbegin(); source != sources_.rend(); ++source)
-        if (const auto index = (*source)->find(lower)) {
-            const FileSource::File& file = (*source)->files()[*index];
-            return Location{file.path, (*source)->name(), file.bytes, (*source)->is_archive()};
-        }
+        if (auto file = (*source)->find(path))
+            return Location{std::move(file->path), (*source)->name(), file->bytes,
+                            (*source)->is_archive()};
     return std::nullopt;
 }
 
@@ -158,21 +136,13 @@ std::vector<std::string> FileSystem::list(std::string_view prefix,
     // By path in lower case; the spelling of the highest source stays.
     std::map<std::string, std::string> found;
     for (auto source = sources_.rbegin(); source != sources_.rend(); ++source)
-        for (const FileSource::File& file : (*source)->files())
-            if (starts_nocase(file.path, prefix) && ends_nocase(file.path, extension))
-                found.try_emplace(ascii_lower(file.path), file.path);
+        for (std::string& path : (*source)->list(prefix, extension))
+            found.try_emplace(ascii_lower(path), std::move(path));
 
     std::vector<std::string> paths;
     for (auto& [lower, path] : found)
         paths.push_back(std::move(path));
     return paths;
-}
-
-std::vector<FileSystem::Mount> FileSystem::mounts() const {
-    std::vector<Mount> mounts;
-    for (auto source = sources_.rbegin(); source != sources_.rend(); ++source)
-        mounts.push_back({(*source)->name(), (*source)->files().size()});
-    return mounts;
 }
 
 } // namespace vigil

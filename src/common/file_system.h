@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The game's files: folders, .pak and .pkz archives laid over each other, looked up without regard
-// to case, as Quake II engines do. It only reads; what the program writes goes through output.h.
+// The game's files: folders, .pak and .pkz archives, and sources that a front end brings, laid over
+// each other and looked up without regard to case, as Quake II engines do. It only reads; what the
+// program writes goes through output.h.
 // Reading and looking up are safe from several threads once everything is mounted.
 #pragma once
 
@@ -23,16 +24,10 @@ class FileSystem {
 public:
     /// Where a file was found.
     struct Location {
-        std::string path;    ///< in the spelling of its folder or archive
+        std::string path;    ///< in the spelling of its source
         std::string source;  ///< the folder or archive, for messages
         std::uint64_t bytes; ///< unpacked, as declared by the source
         bool in_archive;     ///< the source is an archive
-    };
-
-    /// One mounted folder or archive.
-    struct Mount {
-        std::string source;
-        std::size_t files;
     };
 
     FileSystem();
@@ -50,6 +45,9 @@ public:
     /// Quake II and q2pro.
     void mount_folder(const std::filesystem::path& folder);
 
+    /// Mounts a source over everything mounted before: a front end's own files.
+    void mount(std::unique_ptr<FileSource> source);
+
     /// The whole file. `path` has forward slashes and is relative: "maps/mine.bsp", in any case.
     /// Throws Error, naming the file and the fault: no such file, not a safe path, damaged archive.
     std::vector<std::uint8_t> read(std::string_view path) const;
@@ -65,9 +63,6 @@ public:
     /// Paths that begin with `prefix` and end in `extension` (".bsp"), in any case; sorted, each
     /// once.
     std::vector<std::string> list(std::string_view prefix, std::string_view extension) const;
-
-    /// What is mounted, highest priority first.
-    std::vector<Mount> mounts() const;
 
 private:
     std::vector<std::unique_ptr<FileSource>> sources_; ///< lowest priority first

@@ -26,10 +26,10 @@ struct FolderId {
     bool operator==(const FolderId&) const = default;
 };
 
-class LooseFolder : public FileSource {
+class LooseFolder : public ListedSource {
 public:
     explicit LooseFolder(const fs::path& folder)
-        : FileSource(folder.string(), false), folder_(folder) {
+        : ListedSource(folder.string(), false), folder_(folder) {
         std::vector<FolderId> above;
         list(folder_, "", above);
         if (entries_ > max_entries)
@@ -37,14 +37,14 @@ public:
         report_skipped();
     }
 
-    std::vector<std::uint8_t> read(std::size_t index) const override {
+private:
+    std::vector<std::uint8_t> read_file(std::size_t index) const override {
         const BinaryFile file(folder_ / files()[index].path);
         if (file.size() > max_file_bytes)
             fail("{}: has {} bytes; the limit is {}", file.name(), file.size(), max_file_bytes);
         return file.read(0, file.size());
     }
 
-private:
     // `above`: the folders from the root to here, to notice links that lead back up.
     void list(const fs::path& folder, const std::string& prefix, std::vector<FolderId>& above) {
         struct stat status = {};

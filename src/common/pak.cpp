@@ -17,9 +17,10 @@ constexpr std::uint64_t header_bytes = 12;
 constexpr std::uint64_t entry_bytes = 64;
 constexpr std::size_t name_bytes = 56;
 
-class Pak : public FileSource {
+class Pak : public ListedSource {
 public:
-    explicit Pak(const std::filesystem::path& file) : FileSource(file.string(), true), file_(file) {
+    explicit Pak(const std::filesystem::path& file)
+        : ListedSource(file.string(), true), file_(file) {
         // The header names the place and size of the directory.
         if (file_.size() < header_bytes)
             fail("{}: truncated: {} bytes are no pak header", name(), file_.size());
@@ -51,11 +52,11 @@ public:
         report_skipped();
     }
 
-    std::vector<std::uint8_t> read(std::size_t index) const override {
+private:
+    std::vector<std::uint8_t> read_file(std::size_t index) const override {
         return file_.read(starts_[index], files()[index].bytes);
     }
 
-private:
     BinaryFile file_;
     std::vector<std::uint64_t> starts_; ///< parallel to files()
 };

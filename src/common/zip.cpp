@@ -58,16 +58,16 @@ private:
     z_stream stream_ = {};
 };
 
-class Zip : public FileSource {
+class Zip : public ListedSource {
 public:
-    explicit Zip(const std::filesystem::path& file) : FileSource(file.string(), true), file_(file) {
+    explicit Zip(const std::filesystem::path& file)
+        : ListedSource(file.string(), true), file_(file) {
         read_central_directory();
         report_skipped();
     }
 
-    std::vector<std::uint8_t> read(std::size_t index) const override;
-
 private:
+    std::vector<std::uint8_t> read_file(std::size_t index) const override;
     std::uint64_t find_end_record(std::vector<std::uint8_t>& record) const;
     void read_central_directory();
 
@@ -133,7 +133,7 @@ void Zip::read_central_directory() {
     }
 }
 
-std::vector<std::uint8_t> Zip::read(std::size_t index) const {
+std::vector<std::uint8_t> Zip::read_file(std::size_t index) const {
     const File& file = files()[index];
     const Packed& packed = packed_[index];
     const auto refuse = [&](std::string_view fault) {

@@ -229,9 +229,9 @@ void open_and_read(const ScratchFolder& scratch, bool pak, const Bytes& bytes) {
     };
     try {
         const auto source = pak ? open_pak(path) : open_zip(path);
-        for (std::size_t i = 0; i < source->files().size(); ++i) {
+        for (const std::string& entry : source->list("", "")) {
             try {
-                EXPECT_EQ(source->read(i).size(), source->files()[i].bytes);
+                EXPECT_EQ(source->read(entry)->size(), source->find(entry)->bytes);
             } catch (const Error& error) {
                 tell(error);
             }

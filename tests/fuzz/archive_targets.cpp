@@ -38,11 +38,11 @@ template <typename Open> void open_and_read(Input bytes, Open open) {
     const MemoryFile file(bytes);
     parse_or_refuse(file.path(), [&] {
         const auto source = open(file.path());
-        for (std::size_t i = 0; i < source->files().size(); ++i) {
-            const FileSource::File& entry = source->files()[i];
-            require(game_path_fault(entry.path).empty(), "an unsafe path was listed");
+        for (const std::string& path : source->list("", "")) {
+            require(game_path_fault(path).empty(), "an unsafe path was listed");
             parse_or_refuse(file.path(), [&] {
-                require(source->read(i).size() == entry.bytes, "a file has not its listed size");
+                require(source->read(path).value().size() == source->find(path).value().bytes,
+                        "a file has not its listed size");
             });
         }
     });
