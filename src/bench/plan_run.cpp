@@ -4,7 +4,7 @@
 #include "bench/plan_csv.h"
 #include "bench/quality_measure.h"
 #include "bench/timing.h"
-#include "client/commit.h"
+#include "client/measure/commit.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "console/cvar.h"

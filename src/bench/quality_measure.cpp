@@ -3,7 +3,7 @@
 // for the best of them, then the errors.
 #include "bench/quality_measure.h"
 
-#include "client/picture_file.h"
+#include "client/measure/picture_file.h"
 #include "common/error.h"
 #include "refresh/vkpt/gpu/passes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/quality_places.h"
 
-#include "client/level_entities.h"
+#include "client/play/level_entities.h"
 #include "common/ascii_case.h"
 #include "formats/bsp_query.h"
 

@@ -3,7 +3,7 @@
 // that lead to it. From the level's camera route, else from where players start. No GPU.
 #pragma once
 
-#include "client/route.h"
+#include "client/demo/route.h"
 #include "formats/bsp.h"
 
 #include <glm/glm.hpp>

@@ -7,7 +7,7 @@
 #include "bench/quality_options.h"
 #include "bench/quality_places.h"
 #include "bench/reference.h"
-#include "client/session.h"
+#include "client/play/session.h"
 #include "refresh/vkpt/renderer.h"
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include "bench/quality_renderer.h"
 #include "bench/quality_report.h"
 #include "bench/ring_report.h"
-#include "client/commit.h"
+#include "client/measure/commit.h"
 #include "common/progress.h"
 #include "console/cvar.h"
 #include "console/outdir.h"

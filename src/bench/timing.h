@@ -6,7 +6,7 @@
 
 #include "bench/quality_estimate.h"
 #include "bench/quality_renderer.h"
-#include "client/pass_statistics.h"
+#include "client/measure/pass_statistics.h"
 #include "common/progress.h"
 
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 // The sweep: one table of variables that trade time for error, and the values that are tried.
 #include "bench/plan.h"
 
-#include "client/preset.h"
 #include "console/cvar.h"
+#include "console/preset.h"
 
 #include <fmt/format.h>
 
@@ -69,9 +69,9 @@ QualityRow sweep_row(const Sweep& sweep, std::string_view value) {
 
 std::vector<QualityRow> preset_rows() {
     std::vector<QualityRow> rows;
-    for (const client::Preset& preset : client::presets()) {
+    for (const Preset& preset : presets()) {
         QualityRow& row = rows.emplace_back(QualityRow{fmt::format("preset {}", preset.name), {}});
-        for (const client::PresetSetting& setting : preset.settings)
+        for (const PresetSetting& setting : preset.settings)
             row.settings.push_back({std::string(setting.variable), std::string(setting.value)});
     }
     return rows;

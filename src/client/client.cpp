@@ -2,7 +2,7 @@
 // The main loop.
 #include "client/client.h"
 
-#include "client/stick.h"
+#include "client/play/stick.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "console/outdir.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands that compare two techniques in one picture: compare, comparemove, +comparedrag.
 // The variables behind them are pt_compare and pt_compare_at.
-#include "client/arguments.h"
 #include "client/client.h"
-#include "client/screen_stats.h"
+#include "client/ui/screen_stats.h"
 #include "common/log.h"
+#include "console/arguments.h"
 
 #include <memory>
 

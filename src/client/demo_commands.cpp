@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about demos: demomap, demos, record, stop.
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/ascii_case.h"
 #include "common/binary_file.h"
@@ -8,6 +7,7 @@
 #include "common/game_path.h"
 #include "common/log.h"
 #include "common/printable.h"
+#include "console/arguments.h"
 #include "console/outdir.h"
 #include "formats/dm2_protocol.h"
 

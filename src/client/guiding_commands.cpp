@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about what the renderer has learned, and about looking at it: view, viewnext,
 // viewprev, guiding, guidingreset, vlcinfo, cdqinfo.
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/log.h"
+#include "console/arguments.h"
 #include "shared/views.h"
 
 #include <iterator>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about the level and what is in it: map, maps, turn, lightstyle, dlight,
 // flashlight, dlight_clear, scene, device, passes, quit.
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
 
 namespace vigil::client {
 

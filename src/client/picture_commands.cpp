@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands that write what is seen: screenshot, screenshot_hdr, exportscene, and fly. Names
 // are relative to `outdir`; a missing extension is added.
-#include "client/arguments.h"
 #include "client/client.h"
-#include "client/picture_file.h"
+#include "client/measure/picture_file.h"
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
 #include "console/outdir.h"
 
 namespace vigil::client {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about playing a level: noclip, playerinfo, walk, walkrecord, walkstop.
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
 #include "console/outdir.h"
 
 namespace vigil::client {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The console command pt_preset.
-#include "client/arguments.h"
 #include "client/client.h"
-#include "client/preset.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
+#include "console/preset.h"
 
 #include <algorithm>
 #include <fmt/ranges.h>

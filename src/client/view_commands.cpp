@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about the view and the console itself: setviewpos, viewpos, flyspeed,
 // flyfaster, flyslower, toggleconsole, clear, and the key bindings.
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
 
 namespace vigil::client {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Console commands about the window: togglemenu, resolution.
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/log.h"
+#include "console/arguments.h"
 
 namespace vigil::client {
 

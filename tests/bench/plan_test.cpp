@@ -3,11 +3,11 @@
 #include "bench/checkpoint.h"
 #include "bench/plan.h"
 #include "bench/plan_csv.h"
-#include "client/preset.h"
 #include "common/error.h"
 #include "common/output.h"
 #include "common/scratch_folder.h"
 #include "console/cvar.h"
+#include "console/preset.h"
 
 #include <gtest/gtest.h>
 
@@ -211,26 +211,26 @@ TEST(Plan, WhatLooksBetterThanTheDefaultIsMeasuredAgain) {
 }
 
 TEST(Presets, TheDefaultsAreOneOfThem) {
-    const client::Preset* preset = client::present_preset(CvarRegistry());
+    const Preset* preset = present_preset(CvarRegistry());
     ASSERT_NE(preset, nullptr);
     EXPECT_EQ(preset->name, "balanced");
 }
 
 TEST(Presets, SetTheSameVariablesAndAreTold) {
     std::set<std::string_view> variables;
-    for (const client::PresetSetting& setting : client::presets().front().settings)
+    for (const PresetSetting& setting : presets().front().settings)
         variables.insert(setting.variable);
-    for (const client::Preset& preset : client::presets()) {
+    for (const Preset& preset : presets()) {
         std::set<std::string_view> own;
         CvarRegistry values;
-        for (const client::PresetSetting& setting : preset.settings) {
+        for (const PresetSetting& setting : preset.settings) {
             own.insert(setting.variable);
             values.set(setting.variable, std::string(setting.value));
         }
         EXPECT_EQ(own, variables) << preset.name;
-        EXPECT_EQ(client::present_preset(values), &preset);
+        EXPECT_EQ(present_preset(values), &preset);
         values.set("pt_spp", "7");
-        EXPECT_EQ(client::present_preset(values), nullptr);
+        EXPECT_EQ(present_preset(values), nullptr);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The console as its user meets it: editing, history, completion, scroll-back.
-#include "client/console.h"
+#include "client/ui/console.h"
 
 #include "common/log.h"
 #include "test_game.h"

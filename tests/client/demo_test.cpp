@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Demos in the whole program, without a GPU: recording, playing with the time and as a measurement,
 // damage, and what effects become.
-#include "client/demo_effects.h"
-#include "client/demo_player.h"
-#include "client/demo_recorder.h"
-#include "client/route.h"
+#include "client/demo/effects.h"
+#include "client/demo/player.h"
+#include "client/demo/recorder.h"
+#include "client/demo/route.h"
 #include "console/cvar.h"
 #include "fake_renderer.h"
 #include "formats/dm2_protocol.h"

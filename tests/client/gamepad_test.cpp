@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Game controllers: what sticks ask for, and SDL's events of a controller that exists only in its
 // memory.
-#include "client/stick.h"
+#include "client/play/stick.h"
 #include "platform/gamepad_sdl.h"
 
 #include <SDL.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the entity text of a level puts into the picture, and the light styles.
-#include "client/level_entities.h"
-#include "client/light_styles.h"
+#include "client/play/level_entities.h"
+#include "client/play/light_styles.h"
 #include "common/error.h"
 #include "formats/small_level.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The menu by its keys: pages, values, keys of actions; and the lines of scr_stats.
 #include "client/client.h"
-#include "client/menu_items.h"
+#include "client/ui/menu_items.h"
 #include "console/builtin_commands.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Lights that move, appear and go, as the renderer gets them: each under an id of its own that
 // stays while it exists, none once it is gone.
-#include "client/flashlight.h"
-#include "client/play.h"
-#include "client/test_lights.h"
+#include "client/play/flashlight.h"
+#include "client/play/play.h"
+#include "client/play/test_lights.h"
 #include "fake_renderer.h"
 #include "game/view_axes.h"
 #include "program_run.h"

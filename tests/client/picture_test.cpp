@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pictures are written whole and read back the same, or not at all.
-#include "client/picture_file.h"
+#include "client/measure/picture_file.h"
 #include "common/error.h"
 #include "formats/image.h"
 #include "test_game.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Playing in the client: walks as files, the same end at every frame rate, what the session shows,
 // and the commands.
-#include "client/play.h"
+#include "client/play/play.h"
 #include "fake_renderer.h"
 #include "program_run.h"
 

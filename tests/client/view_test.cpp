@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Camera, routes and the statistics of pass times.
-#include "client/camera.h"
-#include "client/count_statistics.h"
-#include "client/pass_statistics.h"
-#include "client/route.h"
+#include "client/demo/route.h"
+#include "client/measure/count_statistics.h"
+#include "client/measure/pass_statistics.h"
+#include "client/play/camera.h"
 #include "common/error.h"
 
 #include <gtest/gtest.h>

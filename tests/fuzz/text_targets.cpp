@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Text files: scripts, camera routes, materials, light styles, and the names that files hold.
-#include "client/light_styles.h"
-#include "client/route.h"
-#include "client/walk.h"
+#include "client/demo/route.h"
+#include "client/play/light_styles.h"
+#include "client/play/walk.h"
 #include "common/error.h"
 #include "common/game_path.h"
 #include "common/printable.h"

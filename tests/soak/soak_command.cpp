@@ -2,10 +2,10 @@
 // The console command soak.
 #include "soak/soak_command.h"
 
-#include "client/arguments.h"
 #include "client/client.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
 #include "console/outdir.h"
 #include "level/level.h"
 #include "soak/soak.h"

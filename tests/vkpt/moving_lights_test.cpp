@@ -3,8 +3,8 @@
 // moves; a spot shines within its cone alone; and 32 wandering lights leave `vlc` unbiased and
 // little worse than the same lights at rest. With VIGIL_MEASURE=1 the last is measured in the
 // warehouse as well (docs/results/moving_lights.md).
-#include "client/level_entities.h"
-#include "client/test_lights.h"
+#include "client/play/level_entities.h"
+#include "client/play/test_lights.h"
 #include "render_test.h"
 
 #include <algorithm>

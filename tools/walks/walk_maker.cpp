@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "walks/walk_maker.h"
 
-#include "client/level_entities.h"
+#include "client/play/level_entities.h"
 #include "common/ascii_case.h"
 #include "game/actors/door.h"
 #include "game/view_axes.h"

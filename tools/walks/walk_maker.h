@@ -5,7 +5,7 @@
 // open by themselves count as open; before one it waits. Same level, same walk.
 #pragma once
 
-#include "client/walk.h"
+#include "client/play/walk.h"
 #include "game/game.h"
 #include "walks/reach.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "walks/walk_report.h"
 
-#include "client/level_entities.h"
+#include "client/play/level_entities.h"
 #include "common/error.h"
 #include "formats/bsp_query.h"
 #include "game/actors/door.h"

@@ -4,7 +4,7 @@
 // stuck, die.
 #pragma once
 
-#include "client/walk.h"
+#include "client/play/walk.h"
 #include "game/player_movement.h"
 #include "level/level.h"
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Flying along a route.
+#include "client/demo/fly_through.h"
+
+#include "common/error.h"
+
+#include <utility>
+
+namespace vigil::client {
+
+namespace {
+
+/// Every frame of the route, once.
+RunPlan with_frames(RunPlan plan, const Route& route) {
+    plan.frames = route.frame_count(plan.fps);
+    return plan;
+}
+
+} // namespace
+
+FlyThrough::FlyThrough(Route route, RunPlan plan)
+    : route_(std::move(route)), run_(with_frames(std::move(plan), route_)),
+      frame_count_(run_.plan().frames) {
+    run_.check_outputs();
+}
+
+void FlyThrough::begin_frame(Session& session) {
+    const int frame = run_.frame_count();
+    if (frame == 0) run_.begin(session);
+    const Route::Key view = route_.at(frame / run_.plan().fps);
+    session.camera().set(view.origin, view.angles);
+    if (frame > 0) session.advance(1.0 / run_.plan().fps);
+}
+
+void FlyThrough::end_frame(Session& session, double seconds) {
+    run_.end_frame(session, seconds);
+}
+
+void FlyThrough::report(Session& session, const CvarRegistry& variables) {
+    run_.end(session);
+    run_.log_repetition();
+    run_.report(session, variables);
+}
+
+void FlyThrough::cut_short() {
+    const int frames = run_.frame_count();
+    run_.drop();
+    fail("ended after {} of {} frames: there is no report", frames, frame_count_);
+}
+
+} // namespace vigil::client
