@@ -11,18 +11,7 @@
 
 OctreeCell find_cell(vec3 position) {
     const uvec3 grid = octree_grid(position, guiding.corner, guiding.scale);
-    OctreeCell cell;
-    cell.corner = uvec3(0u);
-    cell.depth = 0u;
-    uint node = 0u;
-    while (cell.depth < OCTREE_MAX_DEPTH) {
-        const uint word = octree_nodes[node];
-        const uint child = octree_child(grid, cell.depth);
-        cell = octree_child_cell(cell, child);
-        if (octree_is_leaf(word, child)) break;
-        node = octree_inner_child(word, child);
-    }
-    return cell;
+    return octree_cell(grid, descend(octree_root(), grid).depth);
 }
 
 /// A colour that stays the leaf's while the leaf exists: leaves are numbered anew in every frame. Hues are spread over the
@@ -51,7 +40,7 @@ uint sample_count(Surface surface) { return leaves[leaf_word(LEAF_COUNT, find_le
 uint bucket_count(Surface surface) { return leaves[leaf_word(LEAF_VLC, find_leaves(surface.position, previous_position(surface)).cache) + 1u]; }
 
 uint cached_light_count(Surface surface) {
-    return leaves[leaf_word(LEAF_CACHED, find_leaves(surface.position, previous_position(surface)).cache)] & ~LEAF_INHERITED;
+    return leaves[leaf_word(LEAF_CACHED, find_leaves(surface.position, previous_position(surface)).cache)];
 }
 
 #endif

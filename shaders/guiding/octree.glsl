@@ -34,15 +34,10 @@ struct SurfaceLeaves {
 
 uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, guiding.node_capacity); }
 
-/// Walks down from a node at `depth` to the leaf that holds a smallest cell.
-uint find_leaf(uint node, uint depth, uvec3 grid) {
-    for (; depth < OCTREE_MAX_DEPTH; ++depth) {
-        const uint word = octree_nodes[node];
-        const uint child = octree_child(grid, depth);
-        if (octree_is_leaf(word, child)) return octree_leaf(node, child);
-        node = octree_inner_child(word, child);
-    }
-    return 0u; // not reached: inner nodes lie above the smallest cells
+/// Ends a walk to a smallest cell.
+OctreeDescent descend(OctreeDescent descent, uvec3 grid) {
+    while (descent.leaf == NONE) octree_descend(descent, octree_nodes[descent.node], grid);
+    return descent;
 }
 
 /// `previous` is where what is at `position` now was a frame ago.
@@ -50,16 +45,10 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
     const uvec3 now = octree_grid(position, guiding.corner, guiding.scale);
     const uvec3 before = octree_grid(previous, guiding.corner, guiding.scale);
     // Both walks are one until the paths part.
-    uint node = 0u;
-    for (uint depth = 0u; depth < OCTREE_MAX_DEPTH; ++depth) {
-        const uint child = octree_child(now, depth);
-        if (octree_child(before, depth) != child)
-            return SurfaceLeaves(find_leaf(node, depth, before), find_leaf(node, depth, now));
-        const uint word = octree_nodes[node];
-        if (octree_is_leaf(word, child)) return SurfaceLeaves(octree_leaf(node, child), octree_leaf(node, child));
-        node = octree_inner_child(word, child);
-    }
-    return SurfaceLeaves(0u, 0u); // not reached
+    OctreeDescent both = octree_root();
+    while (both.leaf == NONE && octree_child(before, both.depth) == octree_child(now, both.depth))
+        octree_descend(both, octree_nodes[both.node], now);
+    return SurfaceLeaves(descend(both, before).leaf, descend(both, now).leaf);
 }
 
 /// Stores a light sample (LIGHT_SAMPLE_*), if the leaf has room; counts it in any case.

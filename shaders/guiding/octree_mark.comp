@@ -1,7 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `octree_mark`, step 1 of the octree (paper, section 6.2, "mark"): one invocation per old node decides which of its leaves are split and
-// whether it collapses. It also lists the leaves that have samples, and those whose cache is made: they have samples, or a cache to keep.
+// whether it collapses, and how many samples its leaves are to expect in the new tree. It also lists the leaves that have samples, and those whose
+// cache is made: they have samples, or had a cache.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
@@ -16,32 +17,32 @@ void main() {
 
     uint marks = 0u;
     uint sum = 0u;
+    uint demand = 0u;
     for (uint child = 0u; child < 8u; ++child) {
         if (!octree_is_leaf(node, child)) continue;
         const uint leaf = octree_leaf(index, child);
         const uint count = old_leaf_count(leaf);
         sum += count;
-        if (count > settings.split && depth + 1u < OCTREE_MAX_DEPTH) marks |= 1u << child;
+        const bool splits = count > settings.split && depth + 1u < OCTREE_MAX_DEPTH;
+        if (splits) marks |= 1u << child;
+        demand += splits ? 8u * demand_of_part(count) : count;
         // List it for the caches.
         if (count > 0u) {
             leaf_lists[atomicAdd(work.deduplicate_groups.x, 1u)] = leaf;
             const uint room = old_leaves[leaf_word(LEAF_STORAGE, leaf) + 1u];
             if (count > room) atomicAdd(work.dropped, count - room);
         }
-        const bool has_cache = settings.persist > 0u && old_leaves[leaf_word(LEAF_VLC, leaf) + 1u] > 0u;
-        if (has_cache || count > 0u) {
+        if (count > 0u || old_leaves[leaf_word(LEAF_VLC, leaf) + 1u] > 0u)
             leaf_lists[leaf_capacity() + atomicAdd(work.merge_groups.x, 1u)] = leaf;
-        } else {
-            const uint cache = leaf_word(LEAF_VLC, leaf);
-            old_leaves[cache] = 0u;
-            old_leaves[cache + 1u] = 0u;
-            old_leaves[leaf_word(LEAF_CACHED, leaf)] = 0u;
-        }
     }
-    if (sum > 0u) atomicAdd(work.samples, sum);
     if (index > 0u && (node & MARK_SPLITS) == OCTREE_ALL_LEAVES && sum < settings.collapse) {
         marks = MARK_COLLAPSES;
+        demand = sum;
         atomicAdd(work.collapses, 1u);
+    }
+    if (sum > 0u) {
+        atomicAdd(work.samples, sum);
+        atomicAdd(work.demand, demand);
     }
     plan[plan_marks(index)] = marks;
 }

@@ -5,48 +5,33 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
-#include "guiding/octree_demand.glsl"
 
 layout(local_size_x = 64) in;
 
 shared uint group_room; // samples of all leaves of this group
 shared uint group_first;
 
-/// The old leaf that a new leaf takes its cache from, how many samples the new one is to expect, and whether it is a part of the
-/// old one.
-uint find_source(uint node, uint child, out uint demand, out bool split) {
+/// The old leaf that a new leaf comes from, with SOURCE_SPLIT if the new one is a part of it; and how many samples the new one is to
+/// expect.
+uint find_source(uint node, uint child, out uint demand) {
     const uint source = plan[plan_source(node)];
-    split = (source & SOURCE_SPLIT) != 0u;
-    if (split) {
-        const uint leaf = source & ~SOURCE_SPLIT;
-        demand = demand_of_part(old_leaf_count(leaf));
-        return leaf;
+    if ((source & SOURCE_SPLIT) != 0u) {
+        demand = demand_of_part(old_leaf_count(source & ~SOURCE_SPLIT));
+        return source;
     }
     const uint old_node = old_nodes[source];
     if (octree_is_leaf(old_node, child)) {
-        const uint leaf = octree_leaf(source, child);
-        demand = old_leaf_count(leaf);
-        return leaf;
+        demand = old_leaf_count(octree_leaf(source, child));
+        return octree_leaf(source, child);
     }
-    // A collapsed node's leaf follows the child that saw most.
-    const uint collapsed = octree_inner_child(old_node, child);
-    uint most = octree_leaf(collapsed, 0u);
-    for (uint i = 1u; i < 8u; ++i) {
-        const uint leaf = octree_leaf(collapsed, i);
+    // A collapsed node's leaf expects the samples of all its children, and follows the one that saw most.
+    uint most = octree_leaf(octree_inner_child(old_node, child), 0u);
+    demand = 0u;
+    for (uint i = 0u, leaf = most; i < 8u; ++i, ++leaf) {
+        demand += old_leaf_count(leaf);
         if (old_leaf_count(leaf) > old_leaf_count(most)) most = leaf;
     }
-    demand = demand_of_collapsed(collapsed);
     return most;
-}
-
-uint find_leaf(uvec3 grid) {
-    uint node = 0u;
-    for (uint depth = 0u; depth < OCTREE_MAX_DEPTH; ++depth) {
-        const uint child = octree_child(grid, depth);
-        if (octree_is_leaf(new_nodes[node], child)) return octree_leaf(node, child);
-        node = octree_inner_child(new_nodes[node], child);
-    }
-    return NONE; // not reached: nodes lie above the smallest cells
 }
 
 /// The leaf just beyond the centre of a face (-x +x -y +y -z +z), or NONE outside the root.
@@ -61,7 +46,9 @@ uint find_neighbour(OctreeCell cell, uint face) {
         grid[axis] = cell.corner[axis] + size;
         if (grid[axis] >> OCTREE_MAX_DEPTH != 0u) return NONE;
     }
-    return find_leaf(grid);
+    OctreeDescent descent = octree_root();
+    while (descent.leaf == NONE) octree_descend(descent, new_nodes[descent.node], grid);
+    return descent.leaf;
 }
 
 /// The words that a leaf has of its source.
@@ -89,11 +76,10 @@ void main() {
     // Divide the room for samples: what the leaves expect with a quarter to spare, as far as three quarters of the
     // buffer go; the rest evenly, for surfaces that come into view.
     uint room = 0u;
-    uint source = NONE;
-    bool split = false;
+    uint marked_source = NONE;
     if (is_leaf) {
         uint demand;
-        source = find_source(node, child, demand, split);
+        marked_source = find_source(node, child, demand);
         const float wanted = 1.25 * float(work.demand);
         const float divisible = 0.75 * float(header.sample_capacity);
         const float share = wanted > divisible ? divisible / wanted : 1.0;
@@ -107,20 +93,17 @@ void main() {
     barrier();
     if (gl_LocalInvocationID.x == 0u) group_first = atomicAdd(work.sample_used, group_room);
     barrier();
-    if (node >= new_node_count) return;
-
-    new_leaves[leaf_word(LEAF_COUNT, leaf)] = 0u;
     if (!is_leaf) return;
+
     const uint first = min(group_first + before, header.sample_capacity);
     const uint storage = leaf_word(LEAF_STORAGE, leaf);
     new_leaves[storage] = first;
     new_leaves[storage + 1u] = min(room, header.sample_capacity - first); // sums of floats may overshoot by a few
 
+    const uint source = marked_source & ~SOURCE_SPLIT;
     LEAF_ARRAY_TABLE(FILL_ARRAY)
     carry(guide_memory(settings.memory_words), leaf, source);
-    new_leaves[leaf_word(LEAF_SOURCE, leaf)] = source;
-    new_leaves[leaf_word(LEAF_CACHED, leaf)] =
-        old_leaves[leaf_word(LEAF_CACHED, source)] | (split ? LEAF_INHERITED : 0u);
+    new_leaves[leaf_word(LEAF_SOURCE, leaf)] = marked_source;
 
     const OctreeCell cell = octree_child_cell(octree_unpack_cell(new_cells[node]), child);
     if (leaf == octree_leaf(new_node_count - 1u, 7u)) work.depth = cell.depth; // the last leaf is a deepest

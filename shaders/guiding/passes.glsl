@@ -23,7 +23,7 @@ layout(set = 0, binding = 4, scalar) restrict buffer NewNodeBlock {
 layout(set = 0, binding = 5, scalar) restrict buffer NewCellBlock { uvec2 new_cells[]; };
 layout(set = 0, binding = 6, scalar) restrict buffer NewLeafBlock { uint new_leaves[]; };
 // What becomes of old nodes (plan_*), and where new ones come from (plan_source): four arrays, one word per node.
-layout(set = 0, binding = 7, scalar) restrict buffer PlanBlock { uint plan[]; };
+layout(set = 0, binding = 7, scalar) restrict coherent buffer PlanBlock { uint plan[]; };
 layout(set = 0, binding = 8, scalar) restrict buffer SampleBlock { uint light_samples[]; };
 layout(set = 0, binding = 9, scalar) restrict writeonly buffer VlcBlock { uint vlc_lights[]; };
 // Old leaves to work on: those to deduplicate, then, from leaf_capacity() on, those to merge.
@@ -45,12 +45,15 @@ uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)];
 // Bits of a plan's marks: children to split, and whether the node itself collapses into a leaf.
 const uint MARK_SPLITS = 0xffu;
 const uint MARK_COLLAPSES = 0x100u;
-// A new node's source: an old node, or with this bit the old leaf that was split.
-const uint SOURCE_SPLIT = 0x80000000u;
 
 uint plan_marks(uint node) { return node; }
-uint plan_first_inner(uint node) { return header.node_capacity + node; } // new index of the first inner child
-uint plan_place(uint node) { return 2u * header.node_capacity + node; }  // new index of the node itself
+uint plan_node(uint node) { return header.node_capacity + node; }       // the node as it is in the new tree
+uint plan_place(uint node) { return 2u * header.node_capacity + node; } // its index there
+/// A new node's source: an old node, or the old leaf that was split, with SOURCE_SPLIT.
 uint plan_source(uint new_node) { return 3u * header.node_capacity + new_node; }
+
+/// How many samples one of the eight parts of a leaf that is split is to expect: surfaces cross half of them. What its storage is
+/// made for.
+uint demand_of_part(uint count) { return (count + 3u) / 4u; }
 
 #endif

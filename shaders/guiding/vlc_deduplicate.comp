@@ -14,7 +14,7 @@ shared uint drawn, seen;
 void count_draw(uint light_sample) {
     const uint lane = gl_LocalInvocationID.x;
     const bool visible = (light_sample & LIGHT_SAMPLE_VISIBLE) != 0u;
-    const float worth = light_sample_worth_of(light_sample);
+    const float estimate = light_sample_estimate(light_sample);
     switch (light_sample & LIGHT_SAMPLE_DRAWN) {
     case LIGHT_SAMPLE_CACHED:
         atomicAdd(drawn, 1u);
@@ -22,11 +22,11 @@ void count_draw(uint light_sample) {
         break;
     case LIGHT_SAMPLE_LISTED:
         listed[lane] += 1.0;
-        if (visible) newly_found[lane] += worth * worth;
+        if (visible) newly_found[lane] += estimate * estimate;
         break;
     case LIGHT_SAMPLE_KNOWN:
         listed[lane] += 1.0;
-        known[lane] += worth;
+        known[lane] += estimate;
         break;
     }
 }

@@ -79,8 +79,7 @@ void main() {
     const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
     const uint cache = leaf_word(LEAF_VLC, leaf);
     const uint buckets_before = old_leaves[cache + 1u];
-    const uint cached_before = settings.persist > 0u ? old_leaves[leaf_word(LEAF_CACHED, leaf)] : 0u;
-    const uint lights_before = cached_before & ~LEAF_INHERITED;
+    const uint lights_before = settings.persist > 0u ? old_leaves[leaf_word(LEAF_CACHED, leaf)] : 0u;
     const uint first_before = old_leaves[cache];
     if (lane == 0u) {
         samples = 0u;
@@ -106,7 +105,7 @@ void main() {
             table_insert(table_buckets, light_samples[list_first[list] + i], 0u);
     if (keep && lights_before > 0u)
         insert_old_cache(table_buckets, first_before, buckets_before,
-                         ageing((cached_before & LEAF_INHERITED) != 0u));
+                         ageing((old_leaves[leaf_word(LEAF_SOURCE, leaf)] & SOURCE_SPLIT) != 0u));
     barrier();
 
     // Join buckets, halving their number while the lights fit.

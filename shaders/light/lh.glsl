@@ -3,7 +3,6 @@
 // may add to the surface (shared/light_hierarchy.h); in the leaf, one light in proportion to its importance, as the other techniques weigh lights.
 // Nothing learns: visibility is not known. Host side: refresh/vkpt/light/lh.cpp.
 #include "light/importance.glsl"
-#include "shared/reservoir.h"
 #include "shared/light_hierarchy.h"
 
 layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer LightNodeBlock { uvec4 light_nodes[]; };
@@ -43,23 +42,20 @@ NodeView view_node(Surface surface, uint number, uint groups) {
     return view;
 }
 
-/// Walks past the lights of a leaf; `first` is the place of its first light.
-struct LeafWalk {
-    Reservoir reservoir;
-    float sought_importance; // of the light sought; 0 if it was not met
+/// The lights of a leaf.
+struct Candidates {
+    uint first, end, stride;
+    LtcSurface prepared;
 };
 
-LeafWalk walk_leaf(Surface surface, uint first, uint leaf_size, uint sought, float u) {
-    const LtcSurface prepared = prepare_importance(surface);
-    LeafWalk walk = LeafWalk(new_reservoir(u), 0.0);
-    for (uint i = 0u; i < leaf_size; ++i) {
-        const uint light = leaf_lights[first + i];
-        if (light == NONE) break;
-        const float importance = light_importance(prepared, light);
-        reservoir_add(walk.reservoir, light, importance);
-        if (light == sought) walk.sought_importance = importance;
-    }
-    return walk;
+uint candidate_light(Candidates candidates, uint i) { return leaf_lights[i]; }
+float candidate_weight(Candidates candidates, uint light) { return light_importance(candidates.prepared, light); }
+
+#include "light/candidate_walk.glsl"
+
+/// `edge` is the leaf's, as in light_parents.
+Candidates leaf_candidates(Surface surface, uint edge, uint leaf_size) {
+    return Candidates(edge * leaf_size, (edge + 1u) * leaf_size, 1u, prepare_importance(surface));
 }
 
 /// A random number is stretched after each use, until draws of this probability have used up so many of its 24 bits that a
@@ -111,10 +107,9 @@ LightChoice choose_light(Surface surface, inout Random random) {
         if ((view.inner >> child & 1u) == 0u) break;
         number = view.first_inner + bitCount(view.inner & ((1u << child) - 1u));
     }
-    const uint first = (number * 4u * header.groups + child) * header.leaf_size;
-    const Reservoir reservoir = walk_leaf(surface, first, header.leaf_size, NONE, random_number.u).reservoir;
-    if (reservoir.chosen == NONE) return no_light();
-    return light_choice(reservoir.chosen, probability * reservoir.chosen_importance / reservoir.sum);
+    const Candidates candidates = leaf_candidates(surface, number * 4u * header.groups + child, header.leaf_size);
+    const CandidateWalk walk = walk_candidates(candidates, NONE, random_number.u);
+    return light_choice(walk.light, probability * walk.weight / walk.sum);
 }
 
 /// From the light's leaf to the root: the shares of all draws on the way.
@@ -124,9 +119,9 @@ float light_probability(Surface surface, uint light) {
     if (place == NONE) return 0.0;
     const uint slots = 4u * header.groups;
     uint edge = place / header.leaf_size; // node * slots + child
-    const LeafWalk walk = walk_leaf(surface, edge * header.leaf_size, header.leaf_size, light, 0.0);
-    if (!(walk.sought_importance > 0.0)) return 0.0;
-    float probability = walk.sought_importance / walk.reservoir.sum;
+    const CandidateWalk walk = walk_candidates(leaf_candidates(surface, edge, header.leaf_size), light, 0.0);
+    if (!(walk.weight > 0.0)) return 0.0;
+    float probability = walk.weight / walk.sum;
     while (edge != NONE) {
         const LightNodeWeights weights = view_node(surface, edge / slots, header.groups).weights;
         const float weight = light_node_weight(weights, edge % slots);

@@ -6,31 +6,39 @@
 // Host side: refresh/vkpt/light/ris.cpp. docs/adding-a-sampler.md leads through this file.
 #include "light/alias.glsl"
 #include "light/importance.glsl"
-#include "shared/reservoir.h"
 
 #define PROBABILITY_IS_EXACT 0
 
+/// Candidates are spread evenly over the table from one random place. Each by itself has the table's probabilities, which is all that
+/// an unbiased mean of them takes; together they repeat each other less than independent ones.
+struct Candidates {
+    uint first, end, stride;
+    LtcSurface prepared;
+    uvec2 bits; // of the first
+    uint step;  // from one to the next
+};
+
+uint candidate_light(Candidates candidates, uint i) {
+    return alias_light(uvec2(candidates.bits.x + i * candidates.step, candidates.bits.y));
+}
+
+float candidate_weight(Candidates candidates, uint light) {
+    return light_importance(candidates.prepared, light) / alias_probability(light);
+}
+
+#include "light/candidate_walk.glsl"
+
 LightChoice choose_light(Surface surface, inout Random random) {
-    uvec2 bits = random_next_bits(random);
+    const uvec2 bits = random_next_bits(random);
     const float u = random_next(random);
     if (alias_count == 0u) return no_light();
-
-    // Candidates are spread evenly over the table from one random place. Each by itself has the table's probabilities, which is all that
-    // an unbiased mean of them takes; together they repeat each other less than independent ones.
     const uint count = uint(frame.settings.pt_ris_candidates);
-    const uint step = 0xffffffffu / count;
-    const LtcSurface prepared = prepare_importance(surface);
-    Reservoir reservoir = new_reservoir(u);
-    for (uint i = 0u; i < count; ++i) {
-        const uint light = alias_light(bits);
-        bits.x += step;
-        reservoir_add(reservoir, light, light_importance(prepared, light) / alias_probability(light));
-    }
-    if (reservoir.chosen == NONE) return no_light();
-
+    const Candidates candidates = Candidates(0u, count, 1u, prepare_importance(surface), bits, 0xffffffffu / count);
+    const CandidateWalk walk = walk_candidates(candidates, NONE, u);
+    if (walk.light == NONE) return no_light();
     // The mean of the candidates' weights estimates the sum of all lights' importances; 1 / probability is that over the chosen one's.
-    const float importance = reservoir.chosen_importance * alias_probability(reservoir.chosen);
-    return weighted_choice(reservoir.chosen, reservoir.sum / (float(count) * importance));
+    const float importance = walk.weight * alias_probability(walk.light);
+    return weighted_choice(walk.light, walk.sum / (float(count) * importance));
 }
 
 /// Of one candidate, if it may be kept.

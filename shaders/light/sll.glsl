@@ -7,7 +7,6 @@
 // Host side: refresh/vkpt/light/sll.cpp.
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
-#include "shared/reservoir.h"
 #include "light/shadow_statistics.glsl"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
@@ -16,54 +15,60 @@
 const int SLL_MASS_LTC = 0;
 const int SLL_MASS_SOLID_ANGLE = 1;
 
-/// What the weights of all lights of a list have in common.
-struct ListWeights {
+/// Lights of a list.
+struct Candidates {
+    uint first, end, stride;
+    LightList list;
     LtcSurface prepared;
-    uint list;
     uint direction; // dominant_direction of the surface
 };
 
-ListWeights prepare_weights(Surface surface, LightList list) {
-    ListWeights weights;
-    if (frame.settings.pt_sll_mass == SLL_MASS_LTC) {
-        weights.prepared = prepare_importance(surface);
-    } else {
-        weights.prepared.position = surface.origin;
-        weights.prepared.normal = surface.normal;
-    }
-    weights.list = list.number;
-    weights.direction = dominant_direction(surface.normal);
-    return weights;
+uint slot_of_light(Candidates candidates, uint light) {
+    return shadow_slot(candidates.list.number, light, candidates.direction, shadow_slots);
 }
 
-uint slot_of_light(ListWeights weights, uint light) {
-    return shadow_slot(weights.list, light, weights.direction, shadow_slots);
-}
+uint candidate_light(Candidates candidates, uint i) { return light_of_list(candidates.list, i); }
 
-/// Above 0 for every light that can shine on the surface.
-float light_weight(ListWeights weights, uint light) {
+float candidate_weight(Candidates candidates, uint light) {
     float weight;
-    if (frame.settings.pt_sll_mass == SLL_MASS_LTC) weight = light_importance(weights.prepared, light);
-    else weight = solid_angle_importance(weights.prepared.position, weights.prepared.normal, light);
-    if (frame.settings.pt_sll_stats != 0 && weight > 0.0) weight *= unshadowed_share(slot_of_light(weights, light));
+    if (frame.settings.pt_sll_mass == SLL_MASS_LTC) weight = light_importance(candidates.prepared, light);
+    else weight = solid_angle_importance(candidates.prepared.position, candidates.prepared.normal, light);
+    if (frame.settings.pt_sll_stats != 0 && weight > 0.0) weight *= unshadowed_share(slot_of_light(candidates, light));
     return weight;
+}
+
+#include "light/candidate_walk.glsl"
+
+/// From the list's first light on.
+Candidates prepare_candidates(Surface surface, LightList list) {
+    Candidates candidates;
+    candidates.first = 0u;
+    candidates.end = list.count;
+    candidates.stride = list_stride(list, uint(frame.settings.pt_sll_max));
+    candidates.list = list;
+    if (frame.settings.pt_sll_mass == SLL_MASS_LTC) {
+        candidates.prepared = prepare_importance(surface);
+    } else {
+        candidates.prepared.position = surface.origin;
+        candidates.prepared.normal = surface.normal;
+    }
+    candidates.direction = dominant_direction(surface.normal);
+    return candidates;
+}
+
+float walk_probability(CandidateWalk walk, Candidates candidates) {
+    return walk.weight > 0.0 ? walk.weight / (walk.sum * float(candidates.stride)) : 0.0;
 }
 
 LightChoice choose_light(Surface surface, inout Random random) {
     const LightList list = find_light_list(surface);
     const vec3 u = random_next3(random);
     if (list.count == 0u) return no_light();
-    const uint stride = list_stride(list, uint(frame.settings.pt_sll_max));
-    const uint start = min(uint(u.x * float(stride)), stride - 1u);
-    const ListWeights weights = prepare_weights(surface, list);
-    Reservoir reservoir = new_reservoir(u.y);
-    for (uint i = start; i < list.count; i += stride) {
-        const uint light = light_of_list(list, i);
-        reservoir_add(reservoir, light, light_weight(weights, light));
-    }
-    if (reservoir.chosen == NONE) return no_light();
-    LightChoice choice = light_choice(reservoir.chosen, reservoir.chosen_importance / (reservoir.sum * float(stride)));
-    if (frame.settings.pt_sll_stats != 0) choice.memory.x = slot_of_light(weights, choice.light);
+    Candidates candidates = prepare_candidates(surface, list);
+    candidates.first = draw_index(u.x, candidates.stride);
+    const CandidateWalk walk = walk_candidates(candidates, NONE, u.y);
+    LightChoice choice = light_choice(walk.light, walk_probability(walk, candidates));
+    if (frame.settings.pt_sll_stats != 0) choice.memory.x = slot_of_light(candidates, choice.light);
     return choice;
 }
 
@@ -75,11 +80,7 @@ float light_probability(Surface surface, uint light) {
     const LightList list = find_light_list(surface);
     const uint place = place_in_list(list, light);
     if (place == NONE) return 0.0;
-    // The one start whose walk meets the light.
-    const uint stride = list_stride(list, uint(frame.settings.pt_sll_max));
-    const ListWeights weights = prepare_weights(surface, list);
-    float sum = 0.0;
-    for (uint i = place % stride; i < list.count; i += stride)
-        sum += light_weight(weights, light_of_list(list, i));
-    return sum > 0.0 ? light_weight(weights, light) / (sum * float(stride)) : 0.0;
+    Candidates candidates = prepare_candidates(surface, list);
+    candidates.first = place % candidates.stride; // the one start whose walk meets the light
+    return walk_probability(walk_candidates(candidates, light, 0.0), candidates);
 }

@@ -12,7 +12,6 @@
 #include "light/alias.glsl"
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
-#include "shared/reservoir.h"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
 #define STORES_LIGHT_SAMPLES 1
@@ -62,42 +61,6 @@ bool may_shine(LightCache cache, LtcSurface prepared) {
     return false;
 }
 
-/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list.
-struct Candidates {
-    bool from_cache;
-    uint first; // index into vlc_lights, or of the list
-    uint end;
-    uint stride;
-};
-
-Candidates bucket_candidates(uint first) { return Candidates(true, first, first + bucket_size(), 1u); }
-
-Candidates list_candidates(LightList list, uint start, uint stride) { return Candidates(false, start, list.count, stride); }
-
-/// What a walk found.
-struct CandidateWalk {
-    Reservoir reservoir;
-    float sought_importance; // of the light sought; 0 if it was not met
-};
-
-CandidateWalk walk_candidates(LtcSurface prepared, LightList list, Candidates candidates, uint sought, float u) {
-    CandidateWalk walk = CandidateWalk(new_reservoir(u), 0.0);
-    for (uint i = candidates.first; i < candidates.end; i += candidates.stride) {
-        uint light;
-        if (candidates.from_cache) {
-            light = vlc_lights[i];
-            if (light == NONE) break;
-            light &= VLC_ID_MASK;
-        } else {
-            light = light_of_list(list, i);
-        }
-        const float importance = light_importance(prepared, light);
-        reservoir_add(walk.reservoir, light, importance);
-        if (light == sought) walk.sought_importance = importance;
-    }
-    return walk;
-}
-
 /// Shares of all draws.
 struct Shares {
     float cache;
@@ -143,19 +106,44 @@ LightSearch prepare_search(Surface surface, uint leaf) {
     return search;
 }
 
-/// The one walk that can meet a light. A light that is in neither cache nor list has none: only the table draws it.
-Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
-    if (cached) return bucket_candidates(bucket_of_light(search.cache, light));
-    const uint place = place_in_list(search.list, light);
-    if (place == NONE) return Candidates(false, 0u, 0u, 1u);
-    return list_candidates(search.list, place % search.list_stride, search.list_stride);
+/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list.
+struct Candidates {
+    uint first, end, stride; // in vlc_lights, or in the list
+    bool from_cache;
+    LightList list;
+    LtcSurface prepared;
+};
+
+uint candidate_light(Candidates candidates, uint i) {
+    if (!candidates.from_cache) return light_of_list(candidates.list, i);
+    const uint entry = vlc_lights[i];
+    return entry == NONE ? NONE : entry & VLC_ID_MASK;
 }
 
-/// Probability of a light in the mixture, after the one walk that can meet it; `importance` is its own.
-float mixture_probability(LightSearch search, bool cached, uint light, float importance, float sum) {
+float candidate_weight(Candidates candidates, uint light) { return light_importance(candidates.prepared, light); }
+
+#include "light/candidate_walk.glsl"
+
+Candidates bucket_candidates(LightSearch search, uint first) {
+    return Candidates(first, first + bucket_size(), 1u, true, search.list, search.prepared);
+}
+
+Candidates list_candidates(LightSearch search, uint start) {
+    return Candidates(start, search.list.count, search.list_stride, false, search.list, search.prepared);
+}
+
+/// The one walk that can meet a light. A light that is in neither cache nor list has none: only the table draws it.
+Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
+    if (cached) return bucket_candidates(search, bucket_of_light(search.cache, light));
+    const uint place = place_in_list(search.list, light);
+    return list_candidates(search, place == NONE ? search.list.count : place % search.list_stride);
+}
+
+/// Probability of a light in the mixture, after the one walk that can meet it.
+float mixture_probability(LightSearch search, bool cached, CandidateWalk walk) {
     const float walks = cached ? search.shares.cache / float(search.cache.buckets)
                                : search.shares.list / float(search.list_stride);
-    return search.shares.table * alias_probability(light) + (importance > 0.0 ? walks * importance / sum : 0.0);
+    return search.shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 
 LightChoice choose_light(Surface surface, inout Random random) {
@@ -171,36 +159,30 @@ LightChoice choose_light(Surface surface, inout Random random) {
     bool cached = from_cache;
     Candidates candidates;
     if (from_cache) {
-        const uint bucket = min(uint(u.y * float(search.cache.buckets)), search.cache.buckets - 1u);
-        candidates = bucket_candidates(search.cache.first + bucket * bucket_size());
+        const uint bucket = draw_index(u.y, search.cache.buckets);
+        candidates = bucket_candidates(search, search.cache.first + bucket * bucket_size());
     } else if (from_list) {
-        const uint start = min(uint(u.y * float(search.list_stride)), search.list_stride - 1u);
-        candidates = list_candidates(search.list, start, search.list_stride);
+        candidates = list_candidates(search, draw_index(u.y, search.list_stride));
     } else {
         tabled = alias_light(bits);
         cached = is_cached(search.cache, tabled);
         candidates = candidates_of_light(search, cached, tabled);
     }
-    const CandidateWalk walk = walk_candidates(search.prepared, search.list, candidates, tabled, u.z);
+    const CandidateWalk walk = walk_candidates(candidates, tabled, u.z);
 
-    LightChoice choice = weighted_choice(tabled, 0.0);
+    LightChoice choice = weighted_choice(walk.light, 0.0);
     choice.explored = !from_cache;
-    choice.memory.x = found.samples;
-    choice.memory.y = from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED;
-    if (from_list)
-        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_worth(finite_or_zero(walk.reservoir.sum * float(search.list_stride)));
-    float importance = walk.sought_importance;
-    if (from_cache || from_list) {
-        choice.light = walk.reservoir.chosen;
-        importance = walk.reservoir.chosen_importance;
+    choice.memory = uvec2(found.samples, from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED);
+    if (from_list) {
+        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_pack_estimate(finite_or_zero(walk.sum * float(search.list_stride)));
         // The cache draws this light, and better.
-        if (from_list && choice.light != NONE && is_cached(search.cache, choice.light)) {
+        if (choice.light != NONE && is_cached(search.cache, choice.light)) {
             choice.light = NONE;
             choice.memory.y |= LIGHT_SAMPLE_KNOWN;
         }
     }
     if (choice.light == NONE) return choice;
-    const float probability = mixture_probability(search, cached, choice.light, importance, walk.reservoir.sum);
+    const float probability = mixture_probability(search, cached, walk);
     // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it.
     if (probability > 0.0) choice.weight = 1.0 / probability;
     else choice.light = NONE;
@@ -215,7 +197,5 @@ void learn_light(LightChoice choice, uint outcome) {
 float light_probability(Surface surface, uint light) {
     const LightSearch search = prepare_search(surface, find_leaves(surface.position, previous_position(surface)).cache);
     const bool cached = is_cached(search.cache, light);
-    const CandidateWalk walk =
-        walk_candidates(search.prepared, search.list, candidates_of_light(search, cached, light), light, 0.0);
-    return mixture_probability(search, cached, light, walk.sought_importance, walk.reservoir.sum);
+    return mixture_probability(search, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));
 }

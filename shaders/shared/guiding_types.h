@@ -35,13 +35,13 @@ struct LeafArray {
 //   LEAF_CARRIED  what its source has, the leaf of the tree before that it comes from
 // clang-format off
 #define LEAF_ARRAY_TABLE(ROW) \
-    ROW(LEAF_COUNT, 1u, LEAF_BEGIN, 0u, LEAF_MADE) /* surface samples that fell into the leaf */ \
+    ROW(LEAF_COUNT, 1u, LEAF_BEGIN, 0u, LEAF_ZEROED) /* surface samples that fell into the leaf */ \
     ROW(LEAF_STORAGE, 2u, LEAF_COUNT, 0u, LEAF_MADE) /* first light sample, room for how many */ \
     ROW(LEAF_VLC, 2u, LEAF_STORAGE, 0u, LEAF_CARRIED) /* first light id of the cache, number of buckets */ \
     ROW(LEAF_VISIBLE, 1u, LEAF_VLC, 0u, LEAF_ZEROED) /* different lights among the leaf's visible samples */ \
     ROW(LEAF_NEIGHBOURS, 6u, LEAF_VISIBLE, NONE, LEAF_MADE) /* leaf beyond the faces -x +x -y +y -z +z, or NONE */ \
-    ROW(LEAF_SOURCE, 1u, LEAF_NEIGHBOURS, 0u, LEAF_MADE) /* its source */ \
-    ROW(LEAF_CACHED, 1u, LEAF_SOURCE, 0u, LEAF_MADE) /* lights in the cache; LEAF_INHERITED: of a larger leaf */ \
+    ROW(LEAF_SOURCE, 1u, LEAF_NEIGHBOURS, 0u, LEAF_MADE) /* its source; SOURCE_SPLIT: it is a part of that */ \
+    ROW(LEAF_CACHED, 1u, LEAF_SOURCE, 0u, LEAF_CARRIED) /* lights in the cache */ \
     ROW(LEAF_RAYS, 1u, LEAF_CACHED, 0u, LEAF_ZEROED) /* ray samples that fell into the leaf */ \
     ROW(LEAF_GUIDE, 4u, LEAF_RAYS, 0u, LEAF_CARRIED) /* what rays are drawn by: the guider's business */ \
     ROW(LEAF_EXPLORE, 2u, LEAF_GUIDE, 0u, LEAF_CARRIED) /* ExploreMemory */
@@ -54,7 +54,8 @@ LEAF_ARRAY_TABLE(LEAF_CONSTANT)
 /// Words of a leaf altogether, but for its guider's memory (guide_memory), which is carried.
 SHADER_CONST uint LEAF_WORDS = LEAF_EXPLORE.first + LEAF_EXPLORE.words;
 
-SHADER_CONST uint LEAF_INHERITED = 0x80000000u;
+/// With the number of an old leaf, where a new node or leaf comes from: the old leaf was split.
+SHADER_CONST uint SOURCE_SPLIT = 0x80000000u;
 
 /// Two sums in a word: the upper halves of their floats, rounded (bfloat16). Not negative, below
 /// 3e38.
@@ -75,7 +76,7 @@ SHADER_FN uint leaf_array_word(LeafArray array, uint leaf, uint node_capacity) {
 /// The array after the table's: what a guider remembers beyond LEAF_GUIDE.
 SHADER_FN LeafArray guide_memory(uint words) { return LeafArray(LEAF_WORDS, words); }
 
-/// A light sample: light id, how it was drawn, a power of two that a draw from a list comes with, and one
+/// A light sample: light id, how it was drawn, the estimate that a draw from a list is (a power of two), and one
 /// bit if the surface saw the light.
 SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
 SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u; // one of the next four
@@ -83,21 +84,21 @@ SHADER_CONST uint LIGHT_SAMPLE_CACHED = 0u;          // from the cache
 SHADER_CONST uint LIGHT_SAMPLE_TABLED = 0x20000000u; // from the table of all lights
 SHADER_CONST uint LIGHT_SAMPLE_LISTED = 0x40000000u; // from the list of the surface's cluster
 SHADER_CONST uint LIGHT_SAMPLE_KNOWN = 0x60000000u;  // the same, but thrown away: the cache has it
-SHADER_CONST uint LIGHT_SAMPLE_WORTH_SHIFT = 22u;
+SHADER_CONST uint LIGHT_SAMPLE_ESTIMATE_SHIFT = 22u;
 SHADER_CONST uint LIGHT_SAMPLE_ID_MASK = 0x003fffffu;
 /// What is stored when there was no light to sample, or one with a larger id, which no cache learns.
 SHADER_CONST uint LIGHT_SAMPLE_NONE = LIGHT_SAMPLE_ID_MASK;
 
-/// The power of two next to `worth`, within 2^-64 .. 2^63, in place; 0, and what is no number, count
+/// The power of two next to `estimate`, within 2^-64 .. 2^63, in place; 0, and what is no number, count
 /// as the least. Off by a factor of sqrt(2) at most.
-SHADER_FN uint light_sample_worth(float worth) {
-    const float least = worth > 1e-30f ? worth : 1e-30f;
+SHADER_FN uint light_sample_pack_estimate(float estimate) {
+    const float least = estimate > 1e-30f ? estimate : 1e-30f;
     const float power = clamp(floor(log2(least) + 64.5f), 0.0f, 127.0f);
-    return uint(power) << LIGHT_SAMPLE_WORTH_SHIFT;
+    return uint(power) << LIGHT_SAMPLE_ESTIMATE_SHIFT;
 }
 
-SHADER_FN float light_sample_worth_of(uint light_sample) {
-    return exp2(float((light_sample >> LIGHT_SAMPLE_WORTH_SHIFT) & 127u) - 64.0f);
+SHADER_FN float light_sample_estimate(uint light_sample) {
+    return exp2(float((light_sample >> LIGHT_SAMPLE_ESTIMATE_SHIFT) & 127u) - 64.0f);
 }
 
 /// An entry of a cache: light id, and above it for how many frames no sample has seen the light.
@@ -105,19 +106,19 @@ SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
 SHADER_CONST uint VLC_AGE_SHIFT = 27u;
 SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
 
-/// What a leaf's draws from lists were worth, in running sums over its last hundred or so, and what follows
+/// What a leaf's draws from lists estimated, in running sums over its last hundred or so, and what follows
 /// from it: `share` of all draws should be from lists.
 ///
-/// A draw's worth is what the list would shine if all of it were like the light drawn: importance over
-/// probability. Its mean over draws of lights in the cache is what those shine, C / s, if a part s of
-/// them is seen; over draws of other lights that were seen its mean square is the second moment M that
+/// A draw estimates the importance of the whole list: that of the light drawn, over its
+/// probability. The estimates' mean over draws of lights in the cache is what those shine, C / s, if a part s of
+/// them is seen; over draws of other lights that were seen their mean square is the second moment M that
 /// they have when lists alone are drawn from. If lists get a part a of the draws, light of the
 /// cache has the second moment C^2 / ((1 - a) s), the others' is M / a, and the sum is least for a / (1 - a)
 /// = sqrt(M s) / C.
 struct ExploreMemory {
     float listed; // draws from lists
-    float known;  // sum of the worth of those in the cache
-    float found;  // sum of squares of the worth of the others that were seen
+    float known;  // sum of the estimates by those in the cache
+    float found;  // sum of squares of the estimates by the others that were seen
     float share;  // at most EXPLORE_MOST
 };
 SHADER_CONST float EXPLORE_DRAWS = 48.0f;
@@ -132,7 +133,7 @@ SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
     return memory;
 }
 
-/// Sums beyond this are kept as this: squares of worths, which reach 2^126, must not add up to
+/// Sums beyond this are kept as this: squares of estimates, which reach 2^126, must not add up to
 /// infinity.
 SHADER_CONST float EXPLORE_LARGEST_SUM = 1e37f;
 

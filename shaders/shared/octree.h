@@ -6,6 +6,7 @@
 #define VIGIL_SHARED_OCTREE_H
 
 #include "glsl.h"
+#include "scene_types.h"
 
 SHADER_BEGIN
 
@@ -61,6 +62,29 @@ SHADER_FN uint octree_child(uvec3 grid, uint depth) {
            (((grid.z >> shift) & 1u) << 2u);
 }
 
+/// A walk from the root to the leaf that holds a smallest cell.
+struct OctreeDescent {
+    uint node;  // where it is
+    uint depth; // of that; of the leaf once it is known
+    uint leaf;  // NONE: not yet known
+};
+
+SHADER_FN OctreeDescent octree_root() {
+    OctreeDescent descent;
+    descent.node = 0u;
+    descent.depth = 0u;
+    descent.leaf = NONE;
+    return descent;
+}
+
+/// One step down; `word` is the node's where the walk is. It ends above the smallest cells, whatever nodes say.
+SHADER_FN void octree_descend(INOUT(OctreeDescent) descent, uint word, uvec3 grid) {
+    const uint child = octree_child(grid, descent.depth);
+    ++descent.depth;
+    if (octree_is_leaf(word, child) || descent.depth == OCTREE_MAX_DEPTH) descent.leaf = octree_leaf(descent.node, child);
+    else descent.node = octree_inner_child(word, child);
+}
+
 /// The cube of a node or leaf: its lowest corner among the smallest cells, and its depth (the
 /// root's is 0).
 struct OctreeCell {
@@ -71,6 +95,14 @@ struct OctreeCell {
 /// Edge of a cube at `depth`, in smallest cells.
 SHADER_FN uint octree_cell_size(uint depth) {
     return 1u << (OCTREE_MAX_DEPTH - depth);
+}
+
+/// The cube at `depth` that holds a smallest cell.
+SHADER_FN OctreeCell octree_cell(uvec3 grid, uint depth) {
+    OctreeCell cell;
+    cell.corner = grid & uvec3(0u - octree_cell_size(depth));
+    cell.depth = depth;
+    return cell;
 }
 
 SHADER_FN OctreeCell octree_child_cell(OctreeCell cell, uint child) {

@@ -13,6 +13,11 @@ SHADER_CONST float PI = 3.14159265358979f;
 SHADER_CONST float TWO_PI = 6.28318530717959f;
 SHADER_CONST float INVERSE_PI = 0.318309886183791f;
 
+/// An index below `count` > 0, each equally likely for u in [0, 1).
+SHADER_FN uint draw_index(float u, uint count) {
+    return min(uint(u * float(count)), count - 1u);
+}
+
 /// A right-handed orthonormal basis: cross(tangent, bitangent) = normal.
 struct Basis {
     vec3 tangent;

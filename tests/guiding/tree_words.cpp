@@ -176,8 +176,8 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         words.at(LEAF_STORAGE, number, 1) = leaf.room;
         words.at(LEAF_VLC, number, 0) = leaf.first_light;
         words.at(LEAF_VLC, number, 1) = leaf.buckets;
-        words.at(LEAF_CACHED, number) =
-            static_cast<uint32_t>(leaf.cached.size()) + (leaf.inherited ? LEAF_INHERITED : 0);
+        words.at(LEAF_CACHED, number) = static_cast<uint32_t>(leaf.cached.size());
+        words.at(LEAF_SOURCE, number) = leaf.inherited ? SOURCE_SPLIT : 0;
         const Explored& explored = leaf.explored;
         words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.known);
         words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.found, explored.share);
@@ -234,7 +234,9 @@ Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
         check(where, "count", 0, seen.at(LEAF_COUNT, number));
         check(where, "ray samples", 0, seen.at(LEAF_RAYS, number));
         check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, number));
-        check(where, "source", old_numbers.leaf(source), seen.at(LEAF_SOURCE, number));
+        check(where, "source",
+              old_numbers.leaf(source) | (leaf.size() > source.size() ? SOURCE_SPLIT : 0),
+              seen.at(LEAF_SOURCE, number));
         for (int face = 0; face < 6; ++face)
             check(where, fmt::format("neighbour {}", face).c_str(),
                   neighbour_number(expected.inner, numbers, leaf, face),
@@ -349,11 +351,10 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
             if (seen.at(LEAF_EXPLORE, to, word) != seen_old.at(LEAF_EXPLORE, from, word))
                 found.add(fmt::format("{}: explored, word {}: not that of old {}",
                                       name(leaf, numbers), word, name(source, old_numbers)));
-        const uint32_t cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size()) +
-                                (leaf.size() > source.size() ? LEAF_INHERITED : 0);
+        const auto cached = static_cast<uint32_t>(caches.by_leaf.at(source).ages.size());
         if (seen.at(LEAF_CACHED, to) != cached)
-            found.add(fmt::format("{}: cached lights, inherited: expected {:#x}, seen {:#x}",
-                                  name(leaf, numbers), cached, seen.at(LEAF_CACHED, to)));
+            found.add(fmt::format("{}: cached lights: expected {}, seen {}", name(leaf, numbers),
+                                  cached, seen.at(LEAF_CACHED, to)));
     }
     return found;
 }

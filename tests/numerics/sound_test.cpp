@@ -46,9 +46,9 @@ TEST(Packing, AnyBitsGiveSoundSamples) {
         const float ray = ray_sample_contribution(ray_sample_pack(uvec2(4095, 0), value));
         ASSERT_TRUE(ray >= 0x1p-32f && ray <= 3.7e9f) << value;
         ASSERT_EQ(ray_sample_grid(ray_sample_pack(uvec2(4095, 17), value)), uvec2(4095, 17));
-        const float worth = light_sample_worth_of(light_sample_worth(value));
-        ASSERT_TRUE(worth >= 0x1p-64f && worth <= 0x1p63f) << value;
-        ASSERT_EQ(light_sample_worth(value) & ~(127u << LIGHT_SAMPLE_WORTH_SHIFT), 0u);
+        const float estimate = light_sample_estimate(light_sample_pack_estimate(value));
+        ASSERT_TRUE(estimate >= 0x1p-64f && estimate <= 0x1p63f) << value;
+        ASSERT_EQ(light_sample_pack_estimate(value) & ~(127u << LIGHT_SAMPLE_ESTIMATE_SHIFT), 0u);
         const uvec3 cell = octree_grid(vec3(value, any_float(any_word(random)), 1.0f),
                                        vec3(-4096.0f), any_float(any_word(random)));
         ASSERT_TRUE(cell.x < 65536u && cell.y < 65536u && cell.z < 65536u);
@@ -61,7 +61,7 @@ TEST(Packing, AnyBitsGiveSoundSamples) {
 
 TEST(Packing, SamplesAreOffByAsMuchAsStated) {
     Random random = random_begin(uvec2(0, 0), 0, 2);
-    Worst ray, worth;
+    Worst ray, estimate;
     for (int i = 0; i < 500000 / slowdown; ++i) {
         const float u = random_next(random);
         const float contribution = std::exp2(63.5f * u - 31.8f);
@@ -70,15 +70,15 @@ TEST(Packing, SamplesAreOffByAsMuchAsStated) {
                          1.0));
         const float value = std::exp2(126.0f * u - 63.0f);
         const double ratio =
-            double(light_sample_worth_of(light_sample_worth(value))) / double(value);
-        worth.add(std::max(ratio, 1.0 / ratio));
+            double(light_sample_estimate(light_sample_pack_estimate(value))) / double(value);
+        estimate.add(std::max(ratio, 1.0 / ratio));
     }
     EXPECT_LT(ray.value(), 0.0906); // 2^(1/8) - 1, and the rounding of log2
-    EXPECT_LT(worth.value(), 1.41422);
+    EXPECT_LT(estimate.value(), 1.41422);
     record("precision", "ray sample's contribution, 8 bits", "relative error below 9.1%",
            fmt::format("{:.3f}%", 100.0 * ray.value()));
-    record("precision", "light sample's worth, 7 bits", "a factor of at most sqrt(2)",
-           fmt::format("{:.4f}", worth.value()));
+    record("precision", "light sample's estimate, 7 bits", "a factor of at most sqrt(2)",
+           fmt::format("{:.4f}", estimate.value()));
 }
 
 TEST(Packing, SumsOfSquaredContributionsCannotOverflow) {
@@ -123,7 +123,7 @@ TEST(ExploreMemory, StaysSoundForAnySums) {
     for (int i = 0; i < 20000 / slowdown; ++i) {
         ExploreMemory memory = explore_unpack(uvec2(0));
         for (int frame = 0; frame < 20; ++frame) {
-            // 4,096 worths of 2^63 at most, and their squares, whose sum is beyond all floats.
+            // 4,096 estimates of 2^63 at most, and their squares, whose sum is beyond all floats.
             memory = explore_update(memory, random_next(random) < 0.3f ? 0.0f : 4096.0f,
                                     amount(3.8e22f), amount(INFINITY), any_word(random) % 4096u,
                                     any_word(random) % 4096u);
@@ -134,7 +134,7 @@ TEST(ExploreMemory, StaysSoundForAnySums) {
                 << memory.share;
         }
     }
-    record("caches", "draws from lists worth 0 to 2^63, squares that overflow",
+    record("caches", "draws from lists estimate 0 to 2^63, squares that overflow",
            "every number finite, the share of walks at most 0.9", "");
 }
 

@@ -88,7 +88,6 @@ void Guiding::make_pipelines() {
         {CONSTANT_GROUP_SIZE, std::max(subgroup, shader::VLC_LEAST_LANES)}};
     make(mark_, "octree_mark", lanes);
     make(rebuild_, "octree_rebuild", lanes);
-    make(renumber_, "octree_renumber", lanes);
     make(populate_, "octree_populate", lanes);
     if (options_.lights) {
         make(deduplicate_, "vlc_deduplicate", lanes);
@@ -280,7 +279,6 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
     {
         const PassScope scope(device_, commands, Pass::OctreeAdapt);
         run(rebuild_, 1);
-        run(renumber_, node_groups);
     }
     run_listed(Pass::OctreeAugment, populate_, offsetof(shader::GuidingWork, populate_groups));
     const VkBufferCopy copy{0, 0, sizeof(shader::GuidingWork)};

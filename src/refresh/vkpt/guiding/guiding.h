@@ -96,7 +96,7 @@ private:
         gpu::ComputePipeline pipeline;
     };
     std::vector<std::unique_ptr<GuidePass>> guide_adapt_; // made when needed
-    gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, renumber_, populate_;
+    gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, populate_;
     Options options_;
     shader::GuidingHeader header_{};
     bool restart_ = true;

@@ -29,18 +29,13 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
     LeafReport report;
     // Walk down.
     const glm::uvec3 grid = shader::octree_grid(position, header_.corner, header_.scale);
-    shader::OctreeCell cell{glm::uvec3(0), 0};
-    for (uint32_t node = 0; cell.depth < shader::OCTREE_MAX_DEPTH;) {
-        const uint32_t word = nodes_[node];
-        const uint32_t child = shader::octree_child(grid, cell.depth);
-        report.path.push_back(child);
-        cell = shader::octree_child_cell(cell, child);
-        if (shader::octree_is_leaf(word, child)) {
-            report.leaf = shader::octree_leaf(node, child);
-            break;
-        }
-        node = shader::octree_inner_child(word, child);
+    shader::OctreeDescent descent = shader::octree_root();
+    while (descent.leaf == shader::NONE) {
+        report.path.push_back(shader::octree_child(grid, descent.depth));
+        shader::octree_descend(descent, nodes_[descent.node], grid);
     }
+    report.leaf = descent.leaf;
+    const shader::OctreeCell cell = shader::octree_cell(grid, descent.depth);
     report.corner = header_.corner + glm::vec3(cell.corner) / header_.scale;
     report.size = static_cast<float>(shader::octree_cell_size(cell.depth)) / header_.scale;
 
@@ -54,7 +49,7 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
                                .share;
     for (uint32_t word = 0; word < 4; ++word)
         report.guide[static_cast<glm::length_t>(word)] = leaf_word(shader::LEAF_GUIDE, leaf, word);
-    report.source = leaf_word(shader::LEAF_SOURCE, leaf);
+    report.source = leaf_word(shader::LEAF_SOURCE, leaf) & ~shader::SOURCE_SPLIT;
     for (uint32_t face = 0; face < 6; ++face)
         report.neighbours[face] = leaf_word(shader::LEAF_NEIGHBOURS, leaf, face);
     const uint32_t first = leaf_word(shader::LEAF_VLC, leaf);
