@@ -6,6 +6,7 @@ option(VIGIL_HEADER_LIBRARIES "Compile stb, tinyexr and tinygltf from their head
 set(VIGIL_IMGUI_SOURCE "" CACHE PATH "Folder of Dear ImGui's sources (1.86 or newer), where the system has no package of it")
 
 find_package(PkgConfig REQUIRED)
+find_package(CLI11 REQUIRED)
 
 # vigil_header_library(NAME HEADER): a static library of src/third_party/NAME.cpp, the body of a header found on the system.
 # Its warnings are not ours.
@@ -56,6 +57,11 @@ else()
   message(FATAL_ERROR "Dear ImGui is missing. Debian and Ubuntu: libimgui-dev. Elsewhere: -DVIGIL_IMGUI_SOURCE=FOLDER, "
     "a folder of its sources; docs/systems.md tells where they come from.")
 endif()
+
+# Of Boost only what is in headers (Boost.Math).
+find_path(VIGIL_BOOST_INCLUDE boost/math/distributions/students_t.hpp REQUIRED)
+add_library(vigil_boost INTERFACE)
+target_include_directories(vigil_boost SYSTEM INTERFACE ${VIGIL_BOOST_INCLUDE})
 
 # For the tests of exported scenes alone: without it they are not built.
 find_library(VIGIL_TINYGLTF_LIBRARY tinygltf)

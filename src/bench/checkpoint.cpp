@@ -25,15 +25,13 @@ std::uint64_t program_hash() {
     return hash_bytes(std::as_bytes(std::span(bytes)));
 }
 
-/// The report at the path, or null where there is none that can be read.
+} // namespace
+
 ordered_json read_report(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path)) return {};
     const BinaryFile file(path);
     const std::vector<std::uint8_t> bytes = file.read(0, file.size());
     return ordered_json::parse(bytes.begin(), bytes.end(), nullptr, false);
 }
-
-} // namespace
 
 Checkpoint::Checkpoint(std::filesystem::path path, ordered_json head, bool keep)
     : path_(std::move(path)), report_(std::move(head)) {
@@ -42,6 +40,7 @@ Checkpoint::Checkpoint(std::filesystem::path path, ordered_json head, bool keep)
         fmt::format("{:016x}", hash_bytes(std::as_bytes(std::span(text)), program_hash()));
     report_["finished"] = false;
     report_["parts"] = ordered_json::array();
+    if (!std::filesystem::is_regular_file(path_)) return;
     const ordered_json before = read_report(path_);
     const auto key = report_["key"].get<std::string>();
     if (!before.is_object() || before.value("key", std::string()) != key) return;

@@ -10,6 +10,10 @@
 
 namespace vigil::bench {
 
+/// The report at the path; no object where it cannot be read as JSON. Throws Error where there is
+/// no file.
+nlohmann::ordered_json read_report(const std::filesystem::path& path);
+
 class Checkpoint {
 public:
     /// `head` is what stands above the parts; it and the program itself are the key. Parts of an

@@ -2,9 +2,9 @@
 // What `trade` found, put to the test: the best of many values looks better than it is, so those
 // that look better than the default are measured again with seeds that had no part in choosing
 // them.
+#include "bench/checkpoint.h"
 #include "bench/plan.h"
 
-#include "common/binary_file.h"
 #include "common/error.h"
 #include "console/outdir.h"
 
@@ -12,12 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -42,9 +40,7 @@ std::optional<double> ratio_at_equal_time(const ordered_json& row, const char* e
 }
 
 ordered_json read_trade(const std::filesystem::path& path) {
-    const BinaryFile file(path);
-    const std::vector<std::uint8_t> bytes = file.read(0, file.size());
-    ordered_json report = ordered_json::parse(bytes.begin(), bytes.end(), nullptr, false);
+    ordered_json report = read_report(path);
     if (!report.is_object() || report.value("measured", std::string()) != "trade")
         fail("{}: not a report of `run bench trade`", path.string());
     if (!report.value("finished", false))
@@ -101,13 +97,7 @@ Plan confirm_plan(std::span<const std::string> arguments) {
     options.first_seed = 1001;
     options.reference_paths = 512;
     options.trade = output_path("trade.json").string();
-    QualityOptions quick = options;
-    quick.views = 1;
-    quick.seeds = 1;
-    quick.warmup = 4;
-    quick.size = {96, 54};
-    quick.reference_paths = 64;
-    Plan plan{"confirm", parse_quality_options(arguments, {options, quick}), {}};
+    Plan plan{"confirm", parse_quality_options(arguments, {options, least(options)}), {}};
     const ordered_json report = read_trade(plan.options.trade);
     const int first = report.at("first_seed").get<int>();
     const int seeds = report.at("seeds").get<int>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/hierarchy_bench.h"
+#include "bench/benches.h"
 
-#include "common/error.h"
+#include "bench/options.h"
 #include "common/stopwatch.h"
 #include "refresh/vkpt/light/light_hierarchy.h"
 #include "shared/random.h"
@@ -43,7 +43,7 @@ double processor_ms() {
 } // namespace
 
 int run_hierarchy_bench(std::span<const std::string> arguments) {
-    if (!arguments.empty()) fail("{}: unknown option; there are none", arguments[0]);
+    parse_no_options(arguments);
     fmt::print("{:>8} {:>9} {:>13} {:>13} {:>8} {:>8}\n", "lights", "ms", "processor ms",
                "of it, tree", "nodes", "MB");
     for (const uint32_t count : {100u, 1000u, 10000u, 100000u}) {

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The program `vigil_bench`: measurements by name. A benchmark is a row of the table; everything
 // else about it is in its own file.
-#include "bench/hierarchy_bench.h"
+#include "bench/benches.h"
 #include "bench/plan.h"
-#include "bench/ring_bench.h"
-#include "bench/trace_bench.h"
-#include "common/error.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace vigil::bench {
 
 namespace {
 
 struct Bench {
-    std::string_view name;
-    std::string_view what;
+    const char* name;
+    const char* what;
     int (*run)(std::span<const std::string> arguments);
 };
 
@@ -40,7 +36,7 @@ constexpr Bench benches[] = {
     {"quality", "error of every technique at one sample per pixel, and its cost (figure 8)",
      run_experiment<quality_plan>},
     {"ring", "how fast directional quadtrees follow a light that turns (figure 10)",
-     run_ring_bench},
+     run_experiment<ring_plan>},
     {"scale", "cost and error against lights, pixels and triangles", run_experiment<scale_plan>},
     {"timing", "time of every pass while the camera moves (figures 11, 12)",
      run_experiment<timing_plan>},
@@ -48,35 +44,27 @@ constexpr Bench benches[] = {
     {"trade", "what every variable buys and costs", run_experiment<trade_plan>},
 };
 
-void list_benches() {
-    for (const Bench& bench : benches)
-        fmt::print("  {:<11}{}\n", bench.name, bench.what);
-}
-
 } // namespace
-
-/// Runs the benchmark that the first word names; returns the exit status.
-int run(std::span<const std::string> arguments) {
-    if (arguments.empty()) {
-        fmt::print("vigil_bench NAME [OPTIONS]\n");
-        list_benches();
-        return 0;
-    }
-    for (const Bench& bench : benches)
-        if (arguments[0] == bench.name) return bench.run(arguments.subspan(1));
-    fmt::print(stderr, "{}: no such benchmark\n", arguments[0]);
-    list_benches();
-    return 2;
-}
 
 } // namespace vigil::bench
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    CLI::App app("Measurements. NAME --help lists the options of one.", "vigil_bench");
+    int status = 0;
+    for (const vigil::bench::Bench& bench : vigil::bench::benches) {
+        CLI::App* command = app.add_subcommand(bench.name, bench.what);
+        command->set_help_flag(); // one of the options that the benchmark parses itself
+        command->prefix_command();
+        command->callback([&, command] { status = bench.run(command->remaining()); });
+    }
     try {
-        return vigil::bench::run(arguments);
+        app.parse(argc, argv);
+        if (app.get_subcommands().empty()) fmt::print("{}", app.help());
+        return status;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
+        return 2;
     }
-    return 2;
 }

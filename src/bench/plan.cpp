@@ -4,11 +4,14 @@
 // without a GPU, and each --quick one less than two minutes.
 #include "bench/plan.h"
 
+#include "bench/quality_estimate.h"
 #include "common/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <string_view>
 
 namespace vigil::bench {
@@ -23,13 +26,6 @@ struct LevelWarmup {
 constexpr LevelWarmup level_warmups[] = {
     {"mine", 64}, // few rays meet its sun
 };
-
-std::vector<QualityRow> rows_of(std::initializer_list<std::string_view> names) {
-    std::vector<QualityRow> rows;
-    for (const std::string_view name : names)
-        rows.push_back(technique_row(name));
-    return rows;
-}
 
 /// Small pictures of one level.
 QualityOptions quick(QualityOptions options) {
@@ -55,6 +51,15 @@ bool is_named(std::span<const std::string> arguments, std::string_view option) {
 }
 
 } // namespace
+
+QualityOptions least(QualityOptions options) {
+    options.views = 1;
+    options.seeds = 1;
+    options.warmup = 4;
+    options.size = {96, 54};
+    options.reference_paths = 64;
+    return options;
+}
 
 void warm_up_quadtrees(Plan& plan, std::span<const std::string> arguments) {
     if (is_named(arguments, "--warmup") || is_named(arguments, "--quick")) return;
@@ -83,8 +88,8 @@ Plan quality_plan(std::span<const std::string> arguments) {
     options.seeds = 4;
     options.rows = technique_rows();
     // The paper's figure 8 has these with both kinds of rays.
-    for (const QualityRow& row : rows_of({"sll+cdq", "lh+cdq", "vlc+cdq"}))
-        options.rows.push_back(row);
+    std::ranges::move(technique_rows({"sll+cdq", "lh+cdq", "vlc+cdq"}),
+                      std::back_inserter(options.rows));
     Plan plan{"quality", parse_quality_options(arguments, {options, quick(options)}), {}};
     plan.parts = level_parts(plan.options);
     warm_up_quadtrees(plan, arguments);
@@ -95,7 +100,7 @@ Plan adapt_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Curve;
     options.levels = {"warehouse", "gallery"};
-    options.rows = rows_of({"sll", "vlc", "vlc+cdq"});
+    options.rows = technique_rows({"sll", "vlc", "vlc+cdq"});
     options.seeds = 4;
     options.frames = 24;
     Plan plan{"adapt", parse_quality_options(arguments, {options, quick(options)}), {}};
@@ -103,11 +108,51 @@ Plan adapt_plan(std::span<const std::string> arguments) {
     return plan;
 }
 
+Plan ring_plan(std::span<const std::string> arguments) {
+    QualityOptions options;
+    options.measured = Measured::Turn;
+    options.turns = {9, 36}; // these and the sizes are the paper's
+    options.bits = {32, 64, 96, 128};
+    options.baseline = "brdf";
+    options.size = {240, 136};
+    options.views = 1;
+    options.seeds = 6;
+    options.warmup = 0;
+    options.settle = 100;
+    options.frames = 60;
+    options.reference_paths = 512;
+    QualityOptions small = options;
+    small.turns = {36};
+    small.bits = {64};
+    small.size = {96, 54};
+    small.seeds = 2;
+    small.settle = 40;
+    small.frames = 2 * ring_tail;
+    small.reference_paths = 128;
+    Plan plan{"ring", parse_quality_options(arguments, {options, small}), {}};
+    plan.options.reference = ring_rows(std::array{64}).front();
+    for (const int degrees : plan.options.turns) {
+        Part& part = plan.parts.emplace_back(
+            Part{fmt::format("{} degrees", degrees), "ring", plan.options, "", 0.0});
+        part.options.turns = {degrees};
+        part.options.settings.insert(part.options.settings.begin(),
+                                     {"fov", "50"}); // the floor and nothing else
+    }
+    plan.about = {{"turns", plan.options.turns},
+                  {"bits", plan.options.bits},
+                  {"settle", plan.options.settle},
+                  {"frames", plan.options.frames},
+                  {"settled_tail", ring_tail},
+                  {"settled_factor", ring_factor},
+                  {"reference_paths", plan.options.reference_paths}};
+    return plan;
+}
+
 Plan timing_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Times;
     options.levels = {"warehouse", "mine", "gallery"};
-    options.rows = rows_of({"lh", "sll", "vlc", "vlc+cdq"});
+    options.rows = technique_rows({"lh", "sll", "vlc", "vlc+cdq"});
     options.views = 1;
     options.seeds = 6; // flights: as few as have an interval
     options.warmup = 80;
@@ -121,7 +166,7 @@ Plan timing_plan(std::span<const std::string> arguments) {
 Plan scale_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.levels = {"warehouse"}; // of resolutions and triangles
-    options.rows = rows_of({"sll", "lh", "ris", "vlc"});
+    options.rows = technique_rows({"sll", "lh", "ris", "vlc"});
     options.seeds = 2;
     options.reference_paths = 256;
     QualityOptions small = quick(options);

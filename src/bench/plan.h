@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // An experiment as a list of parts, each a level and how it is measured: what `quality`, `adapt`,
-// `timing`, `scale`, `trade` and `confirm` are. All share options, progress, references, and the
-// report that is continued after an interruption.
+// `ring`, `timing`, `scale`, `trade` and `confirm` are. All share options, progress, references,
+// and the report that is continued after an interruption.
 #pragma once
 
-#include "bench/quality_options.h"
+#include "bench/options.h"
 
 #include <nlohmann/json.hpp>
 #include <span>
@@ -32,6 +32,8 @@ struct Plan {
 Plan quality_plan(std::span<const std::string> arguments);
 /// Errors by frame from an empty cache, as the paper's figure 9.
 Plan adapt_plan(std::span<const std::string> arguments);
+/// How fast quadtrees follow a light that turns, a part per turn, as the paper's figure 10.
+Plan ring_plan(std::span<const std::string> arguments);
 /// Times of every frame of a camera route by pass, as the paper's figures 11 and 12.
 Plan timing_plan(std::span<const std::string> arguments);
 /// Cost and error against the number of lights, of pixels and of triangles.
@@ -48,6 +50,9 @@ Plan confirm_plan(std::span<const std::string> arguments);
 /// Parts with guided rays, of levels in which quadtrees learn late (a table in plan.cpp), get the
 /// warm-up that they need there, unless `arguments` hold --warmup or --quick.
 void warm_up_quadtrees(Plan& plan, std::span<const std::string> arguments);
+
+/// What `trade` and `confirm` do with --quick: one small picture of everything.
+QualityOptions least(QualityOptions options);
 
 /// Drops the parts that --part leaves out. Throws Error, which names all, when none is left.
 void select_parts(Plan& plan);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/checkpoint.h"
+#include "bench/measure.h"
 #include "bench/plan.h"
 #include "bench/plan_csv.h"
-#include "bench/quality_measure.h"
-#include "bench/timing.h"
 #include "client/measure/commit.h"
 #include "common/error.h"
 #include "common/log.h"
@@ -131,31 +130,14 @@ ordered_json measure_part(const Part& part, Progress& progress) {
     json.erase("rows");
     progress.note("preparing");
     renderer.prepare(part.options.rows);
-    std::string text;
-    switch (part.options.measured) {
-    case Measured::Errors: {
-        const LevelResult result = measure_errors(part.options, renderer, part.level, progress);
-        text = quality_text(part.options, result);
-        json.update(quality_json(part.options, result));
-        break;
-    }
-    case Measured::Curve: {
-        const CurveResult result = measure_curve(part.options, renderer, part.level, progress);
-        text = curve_text(part.options, result);
-        json.update(curve_json(result));
-        break;
-    }
-    case Measured::Times: {
-        const TimingResult result = measure_times(part.options, renderer, part.level, progress);
-        text = timing_text(part.options, result);
-        json.update(timing_json(part.options, result));
-        break;
-    }
-    }
+    Measure* const measures[] = {measure_errors, measure_curve, measure_times, measure_turn};
+    const PartReport report = measures[static_cast<std::size_t>(part.options.measured)](
+        part.options, renderer, part.level, progress);
+    json.update(report.json);
     json["triangles"] = renderer.triangle_count();
     json["lights"] = renderer.light_count();
     if (!part.axis.empty()) fmt::print("\n== {}", part.name);
-    fmt::print("{}", text);
+    fmt::print("{}", report.text);
     std::fflush(stdout);
     return json;
 }

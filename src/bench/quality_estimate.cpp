@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/quality_estimate.h"
 
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -40,11 +42,7 @@ double upper_end(std::span<const double> values) {
 
 /// Probability that at most `most` of `count` values lie below their median.
 double tail_below(int count, int most) {
-    double sum = 0.0;
-    for (int i = 0; i <= most; ++i)
-        sum += std::exp(std::lgamma(count + 1.0) - std::lgamma(i + 1.0) -
-                        std::lgamma(count - i + 1.0) - count * std::numbers::ln2);
-    return sum;
+    return cdf(boost::math::binomial(count, 0.5), most);
 }
 
 /// Two-sided probability that, of the ratios, as many or more lie on one side of 1. One that is
@@ -77,32 +75,7 @@ Strata ratios_of(const Strata& numerators, const Strata& denominators) {
 } // namespace
 
 double student_t_quantile(double probability, double degrees) {
-    // With t = sqrt(degrees) tan(angle) the density becomes cos(angle)^(degrees - 1), up to its
-    // integral over (-pi/2, pi/2), here by Simpson's rule.
-    const double constant =
-        std::exp(std::lgamma(0.5 * (degrees + 1.0)) - std::lgamma(0.5 * degrees)) /
-        std::sqrt(std::numbers::pi);
-    const auto below = [&](double angle) {
-        constexpr int steps = 256;
-        const double step = angle / steps;
-        double sum = 0.0;
-        for (int i = 0; i <= steps; ++i) {
-            const double weight = i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
-            sum += weight * std::pow(std::cos(i * step), degrees - 1.0);
-        }
-        return 0.5 + constant * sum * step / 3.0;
-    };
-    const double wanted = std::max(probability, 1.0 - probability);
-    // Newton's method; the density falls, so that it comes from below and never goes too far.
-    double angle = 0.0;
-    for (int i = 0; i < 60; ++i) {
-        const double density = constant * std::pow(std::cos(angle), degrees - 1.0);
-        const double step = (wanted - below(angle)) / density;
-        angle = std::min(angle + step, 0.5 * std::numbers::pi * (1.0 - 1e-12));
-        if (std::abs(step) < 1e-12 * angle) break;
-    }
-    const double t = std::sqrt(degrees) * std::tan(angle);
-    return probability < 0.5 ? -t : t;
+    return quantile(boost::math::students_t(degrees), probability);
 }
 
 double mean_over_views(const Strata& values) {
@@ -202,6 +175,10 @@ double median(std::vector<double> values) {
     return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
+double median_of(const Strata& values) {
+    return median(pooled(values));
+}
+
 bool misses_light(const Strata& mean_ratio) {
     return std::ranges::any_of(mean_ratio, [](const std::vector<double>& view) {
         return upper_end(view) < 1.0 - missing_share;
@@ -275,15 +252,11 @@ PictureError picture_error(std::span<const float> picture, const Reference& refe
 }
 
 PictureError mean_error(std::span<const std::vector<float>> pictures, const Reference& reference) {
-    constexpr double PictureError::*members[] = {
-        &PictureError::mse,        &PictureError::trimmed_mse,     &PictureError::trimmed_variance,
-        &PictureError::bright_mse, &PictureError::bright_variance, &PictureError::relative_mse,
-        &PictureError::mean_ratio};
     PictureError sum;
     const auto count = static_cast<double>(pictures.size());
     for (const std::vector<float>& picture : pictures) {
         const PictureError error = picture_error(picture, reference);
-        for (double PictureError::*member : members)
+        for (const auto& [name, member] : picture_errors)
             sum.*member += error.*member / count;
     }
     return sum;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vigil::bench {
@@ -72,6 +73,8 @@ Strata times(const Strata& a, const Strata& b);
 
 /// NaN without values, or where one is NaN.
 double median(std::vector<double> values);
+/// Of all runs.
+double median_of(const Strata& values);
 
 /// Share of the reference's light that frames may lack before their errors say too little.
 inline constexpr double missing_share = 0.05;
@@ -98,6 +101,16 @@ struct PictureError {
     double mean_ratio = 0.0;       // mean(x) / mean(r): shows energy that is lost or made
 };
 
+/// The members, by the names that reports have for them.
+inline constexpr std::pair<const char*, double PictureError::*> picture_errors[] = {
+    {"mse", &PictureError::mse},
+    {"trimmed_mse", &PictureError::trimmed_mse},
+    {"trimmed_variance", &PictureError::trimmed_variance},
+    {"bright_mse", &PictureError::bright_mse},
+    {"bright_variance", &PictureError::bright_variance},
+    {"relative_mse", &PictureError::relative_mse},
+    {"mean_ratio", &PictureError::mean_ratio}};
+
 /// Error of `picture` (RGB, as many values as the reference has; at least two batches), without
 /// that of the reference: unbiased for `mse` if the two are independent.
 PictureError picture_error(std::span<const float> picture, const Reference& reference);
@@ -118,6 +131,9 @@ int stays_below(std::span<const double> curve, double limit);
 /// What counts as settled: the mean of the last 8 frames; reached at 1.1 times that.
 inline constexpr int settled_tail = 8;
 inline constexpr double settled_factor = 1.1;
+/// The same of a curve after a turn of the lamp, which is longer.
+inline constexpr int ring_tail = 20;
+inline constexpr double ring_factor = 1.1;
 
 /// When a curve of errors has settled: `level` is the mean of its last `tail` values, `frame`
 /// counts from 1 and is the first from which all are at most `factor` times the level.

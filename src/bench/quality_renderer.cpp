@@ -29,10 +29,10 @@ namespace {
 /// pt_seed of a reference's first batch; measured frames have smaller ones.
 constexpr int first_reference_seed = 1 << 30;
 
-std::filesystem::path folder_of(const QualityOptions& options, const std::string& level) {
-    for (const std::filesystem::path& basedir : options.basedirs)
-        if (std::filesystem::exists(basedir / "baseq2/maps" / (level + ".bsp"))) return basedir;
-    fail("maps/{}.bsp is in none of the folders (--basedir FOLDER names one)", level);
+/// Number of the pass, from its name in refresh/vkpt/gpu/passes.h.
+std::size_t pass_index(std::string_view name) {
+    const auto found = std::ranges::find(vkpt::pass_names, name);
+    return static_cast<std::size_t>(found - std::begin(vkpt::pass_names));
 }
 
 std::uint64_t shader_hash(const std::string& technique, const std::string& guider) {
@@ -46,16 +46,20 @@ std::uint64_t shader_hash(const std::string& technique, const std::string& guide
 
 } // namespace
 
-std::size_t pass_index(std::string_view name) {
-    const auto found = std::ranges::find(vkpt::pass_names, name);
-    return static_cast<std::size_t>(found - std::begin(vkpt::pass_names));
+double group_ms(std::span<const double> pass_ms, refresh::PassGroup group) {
+    double sum = 0.0;
+    for (std::size_t pass = 0; pass < pass_ms.size(); ++pass)
+        if (vkpt::pass_groups[pass] == group) sum += pass_ms[pass];
+    return sum;
 }
 
 QualityRenderer::QualityRenderer(const QualityOptions& options, const std::string& level)
     : level_name_(level) {
-    const std::filesystem::path basedir = folder_of(options, level);
-    set("vid_width", std::to_string(options.size.x));
-    set("vid_height", std::to_string(options.size.y));
+    const std::filesystem::path basedir = folder_with(options.basedirs, level);
+    if (basedir.empty())
+        fail("maps/{}.bsp is in none of the folders (--basedir FOLDER names one)", level);
+    cvars().set("vid_width", std::to_string(options.size.x));
+    cvars().set("vid_height", std::to_string(options.size.y));
     if (cvars()->pt_jitter == 1)
         fail("pt_jitter 1 moves the pixels of references only; set 0 or 2");
     const auto add_base = [&](const QualityRow& row) {
@@ -91,17 +95,13 @@ QualityRenderer::~QualityRenderer() {
         cvars().set(setting.name, setting.value);
 }
 
-void QualityRenderer::set(const std::string& name, const std::string& value) {
-    cvars().set(name, value);
-}
-
 void QualityRenderer::begin_run(const QualityRow& row, int seed) {
     for (const Setting& setting : base_)
-        set(setting.name, setting.value);
+        cvars().set(setting.name, setting.value);
     for (const Setting& setting : row.settings)
-        set(setting.name, setting.value);
-    set("pt_seed", std::to_string(seed));
-    set("pt_accumulate", "0");
+        cvars().set(setting.name, setting.value);
+    cvars().set("pt_seed", std::to_string(seed));
+    cvars().set("pt_accumulate", "0");
     renderer_->reset_guiding();
 }
 
@@ -205,15 +205,15 @@ void QualityRenderer::turn(const std::string& target, float yaw) {
 
 void QualityRenderer::begin_reference(const Pose& pose, const QualityRow& row, int frames) {
     begin_run(row, first_reference_seed - 1);
-    set("pt_spp", "1");
+    cvars().set("pt_spp", "1");
     for (int frame = 0; frame < frames; ++frame) // what is learned helps those that count
         render(pose);
 }
 
 std::vector<float> QualityRenderer::reference_batch(const Pose& pose, int number) {
     // A new seed begins a new running mean.
-    set("pt_seed", std::to_string(first_reference_seed + number));
-    set("pt_accumulate", "1");
+    cvars().set("pt_seed", std::to_string(first_reference_seed + number));
+    cvars().set("pt_accumulate", "1");
     for (int path = 0; path < reference_batch_paths; ++path)
         render(pose);
     return renderer_->read_radiance().rgb;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "bench/light_floor.h"
-#include "bench/quality_options.h"
+#include "bench/options.h"
 #include "bench/quality_places.h"
 #include "bench/reference.h"
 #include "client/play/session.h"
@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace vigil::bench {
@@ -100,7 +100,6 @@ private:
     /// Everything that a reference depends on, as one line of text: level, view, size, variables
     /// and shaders.
     std::string reference_key(const Pose& pose, const QualityRow& row) const;
-    void set(const std::string& name, const std::string& value);
     std::uint64_t render(const Pose& pose);
 
     std::string level_name_;
@@ -113,7 +112,7 @@ private:
     std::uint64_t content_hash_ = 0; // of the level's file and its materials
 };
 
-/// Number of the pass, from its name in refresh/vkpt/gpu/passes.h.
-std::size_t pass_index(std::string_view name);
+/// Sum over the passes of a group; `pass_ms` in the order of refresh/vkpt/gpu/passes.h.
+double group_ms(std::span<const double> pass_ms, refresh::PassGroup group);
 
 } // namespace vigil::bench

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/timing.h"
-
-#include "bench/quality_report.h"
-#include "common/error.h"
+// Rows take turns; what a repeat loses to other work on the machine, the median over repeats of the
+// same frame does not show.
+#include "bench/measure.h"
+#include "client/pass_statistics.h"
 #include "refresh/vkpt/gpu/passes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 #include <utility>
+#include <vector>
 
 namespace vigil::bench {
 
@@ -18,34 +18,16 @@ using nlohmann::ordered_json;
 
 namespace {
 
-double group_ms(std::span<const double> pass_ms, refresh::PassGroup group) {
-    double sum = 0.0;
-    for (std::size_t pass = 0; pass < pass_ms.size(); ++pass)
-        if (vkpt::pass_groups[pass] == group) sum += pass_ms[pass];
-    return sum;
-}
+using refresh::PassGroup;
 
-/// The row's medians as the client's tables take them.
-client::PassStatistics statistics_of(const TimingRow& row) {
-    client::PassStatistics statistics;
-    for (const std::vector<double>& frame : row.pass_ms) {
-        std::vector<refresh::PassTime> passes;
-        for (std::size_t pass = 0; pass < frame.size(); ++pass)
-            if (frame[pass] > 0.0)
-                passes.push_back(
-                    {std::string(vkpt::pass_names[pass]), frame[pass], vkpt::pass_groups[pass]});
-        statistics.add_frame(passes);
-    }
-    return statistics;
-}
-
-const std::vector<client::PassSum> sums = {{refresh::PassGroup::Preparation, "= preparation"},
-                                           {refresh::PassGroup::PathTracing, "= path tracing"}};
-
-const TimingRow& baseline_of(const QualityOptions& options, const TimingResult& result) {
-    for (const TimingRow& row : result.rows)
-        if (row.row.label == options.baseline) return row;
-    fail("--baseline {}: no such row", options.baseline);
+/// A number of every frame of every flight, [frame][flight].
+template <typename Cost>
+Strata by_frame(const std::vector<std::vector<FrameCost>>& flights, const Cost& cost) {
+    Strata frames(flights.front().size());
+    for (std::size_t frame = 0; frame < frames.size(); ++frame)
+        for (const std::vector<FrameCost>& flight : flights)
+            frames[frame].push_back(cost(flight[frame]));
+    return frames;
 }
 
 /// Median of each frame over its repeats.
@@ -56,72 +38,67 @@ std::vector<double> medians(const Strata& frames) {
     return result;
 }
 
+/// What a row's flights gave, [frame][flight].
+struct TimingRow {
+    explicit TimingRow(const std::vector<std::vector<FrameCost>>& flights)
+        : prepare_ms(by_frame(
+              flights, [](const auto& c) { return group_ms(c.pass_ms, PassGroup::Preparation); })),
+          path_ms(by_frame(
+              flights, [](const auto& c) { return group_ms(c.pass_ms, PassGroup::PathTracing); })),
+          frame_ms(by_frame(flights, [](const auto& c) { return c.frame_ms; })) {
+        for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass)
+            pass_ms.push_back(
+                medians(by_frame(flights, [pass](const auto& c) { return c.pass_ms[pass]; })));
+    }
+
+    std::vector<std::vector<double>> pass_ms; // [pass][frame], medians
+    Strata prepare_ms, path_ms, frame_ms;
+};
+
+/// The row's medians as the client's tables take them.
+client::PassStatistics statistics_of(const TimingRow& row) {
+    client::PassStatistics statistics;
+    for (std::size_t frame = 0; frame < row.frame_ms.size(); ++frame) {
+        std::vector<refresh::PassTime> passes;
+        for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
+            if (const double time = row.pass_ms[pass][frame]; time > 0.0)
+                passes.push_back(
+                    {std::string(vkpt::pass_names[pass]), time, vkpt::pass_groups[pass]});
+        statistics.add_frame(passes);
+    }
+    return statistics;
+}
+
+const std::vector<client::PassSum> sums = {{PassGroup::Preparation, "= preparation"},
+                                           {PassGroup::PathTracing, "= path tracing"}};
+
 } // namespace
 
-TimingResult measure_times(const QualityOptions& options, QualityRenderer& renderer,
-                           const std::string& level, Progress& progress) {
-    TimingResult result{level, {}};
+PartReport measure_times(const QualityOptions& options, QualityRenderer& renderer,
+                         const std::string& level, Progress& progress) {
     const Place& place = renderer.places().front();
-    std::vector<std::vector<std::vector<FrameCost>>> costs(options.rows.size()); // [row][seed]
+    std::vector<std::vector<std::vector<FrameCost>>> costs(options.rows.size()); // [row][flight]
     for (int seed = 0; seed < options.seeds; ++seed) {
         for (std::size_t row = 0; row < options.rows.size(); ++row) {
             costs[row].push_back(renderer.fly(place, options.rows[row], options.first_seed + seed));
             progress.advance(fmt::format("flight {} of {}", seed + 1, options.seeds));
         }
     }
-    for (std::size_t row = 0; row < options.rows.size(); ++row) {
-        TimingRow& timing = result.rows.emplace_back();
-        timing.row = options.rows[row];
-        for (std::size_t frame = 0; frame < place.frames.size(); ++frame) {
-            std::vector<double>& medians = timing.pass_ms.emplace_back();
-            for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass) {
-                std::vector<double> repeats;
-                for (const std::vector<FrameCost>& flight : costs[row])
-                    repeats.push_back(flight[frame].pass_ms[pass]);
-                medians.push_back(median(std::move(repeats)));
-            }
-            timing.prepare_ms.emplace_back();
-            timing.path_ms.emplace_back();
-            timing.frame_ms.emplace_back();
-            for (const std::vector<FrameCost>& flight : costs[row]) {
-                const FrameCost& cost = flight[frame];
-                timing.prepare_ms.back().push_back(
-                    group_ms(cost.pass_ms, refresh::PassGroup::Preparation));
-                timing.path_ms.back().push_back(
-                    group_ms(cost.pass_ms, refresh::PassGroup::PathTracing));
-                timing.frame_ms.back().push_back(cost.frame_ms);
-            }
-        }
-    }
-    return result;
-}
+    const std::vector<TimingRow> timings(costs.begin(), costs.end());
+    const auto baseline_row = std::ranges::find(options.rows, options.baseline, &QualityRow::label);
+    const TimingRow& baseline = timings[baseline_row - options.rows.begin()];
 
-std::string timing_text(const QualityOptions& options, const TimingResult& result) {
-    std::string text = fmt::format(
-        "\n{}: {} x {} pixels, {} frames of a moving camera, medians of {} flights\n", result.level,
-        options.size.x, options.size.y, result.rows.front().pass_ms.size(), options.seeds);
-    for (const TimingRow& row : result.rows)
-        text += fmt::format("\n{}: {}\n", row.row.label, statistics_of(row).table(sums));
-    const TimingRow& baseline = baseline_of(options, result);
-    text += fmt::format("\n{:<14}{:>14}  {:<22}{:>16}  {:<22}\n", "  row",
-                        "path / " + options.baseline, "95%", "guiding / path", "95%");
-    for (const TimingRow& row : result.rows) {
-        const Interval path = ratio_over_flights(row.path_ms, baseline.path_ms);
-        const Interval prepare = ratio_over_flights(row.prepare_ms, row.path_ms);
-        text +=
-            fmt::format("  {:<12}{:>14.3g}  {:<22}{:>16.3g}  {:<22}\n", row.row.label, path.value,
-                        fmt::format("[{:.3g}, {:.3g}]", path.low, path.high), prepare.value,
-                        fmt::format("[{:.3g}, {:.3g}]", prepare.low, prepare.high));
-    }
-    return text;
-}
-
-ordered_json timing_json(const QualityOptions& options, const TimingResult& result) {
-    const TimingRow& baseline = baseline_of(options, result);
+    std::string text =
+        fmt::format("\n{}: {} x {} pixels, {} frames of a moving camera, medians of {} flights\n",
+                    level, options.size.x, options.size.y, place.frames.size(), options.seeds);
+    std::string ratios = fmt::format("\n{:<14}{:>14}  {:<22}{:>16}  {:<22}\n", "  row",
+                                     "path / " + options.baseline, "95%", "guiding / path", "95%");
     ordered_json rows = ordered_json::array();
-    for (const TimingRow& row : result.rows) {
-        ordered_json json = to_json(row.row);
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+        const TimingRow& row = timings[i];
+        ordered_json json = to_json(options.rows[i]);
         const client::PassStatistics statistics = statistics_of(row);
+        text += fmt::format("\n{}: {}\n", options.rows[i].label, statistics.table(sums));
         json["passes"] = ordered_json::array();
         for (const client::PassSummary& pass : statistics.summarize())
             json["passes"].push_back({{"name", pass.name},
@@ -130,26 +107,24 @@ ordered_json timing_json(const QualityOptions& options, const TimingResult& resu
                                       {"mean_ms", pass.mean},
                                       {"p99_ms", pass.p99},
                                       {"share", pass.share}});
-        json["path_ms"] = {{"ratio", to_json(ratio_over_flights(row.path_ms, baseline.path_ms))},
-                           {"frames", medians(row.path_ms)}};
-        json["prepare_ms"] = {
-            {"share_of_path", to_json(ratio_over_flights(row.prepare_ms, row.path_ms))},
-            {"frames", medians(row.prepare_ms)}};
+        const Interval path = ratio_over_flights(row.path_ms, baseline.path_ms);
+        const Interval prepare = ratio_over_flights(row.prepare_ms, row.path_ms);
+        ratios += fmt::format("  {:<12}{:>14}  {:<22}{:>16}  {:<22}\n", options.rows[i].label,
+                              number_text(path.value), range_text(path), number_text(prepare.value),
+                              range_text(prepare));
+        json["path_ms"] = {{"ratio", to_json(path)}, {"frames", medians(row.path_ms)}};
+        json["prepare_ms"] = {{"share_of_path", to_json(prepare)},
+                              {"frames", medians(row.prepare_ms)}};
         json["frame_ms"] = {{"ratio", to_json(ratio_over_flights(row.frame_ms, baseline.frame_ms))},
                             {"frames", medians(row.frame_ms)}};
-        ordered_json frames = ordered_json::object(); // of the passes of preparation
-        for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass) {
-            if (vkpt::pass_groups[pass] != refresh::PassGroup::Preparation) continue;
-            std::vector<double> times;
-            for (const std::vector<double>& frame : row.pass_ms)
-                times.push_back(frame[pass]);
-            if (std::ranges::any_of(times, [](double time) { return time > 0.0; }))
-                frames[std::string(vkpt::pass_names[pass])] = std::move(times);
-        }
-        json["pass_frames_ms"] = std::move(frames);
+        ordered_json& frames = json["pass_frames_ms"] = ordered_json::object();
+        for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
+            if (vkpt::pass_groups[pass] == PassGroup::Preparation &&
+                std::ranges::any_of(row.pass_ms[pass], [](double time) { return time > 0.0; }))
+                frames[std::string(vkpt::pass_names[pass])] = row.pass_ms[pass];
         rows.push_back(std::move(json));
     }
-    return {{"rows", std::move(rows)}};
+    return {{{"rows", std::move(rows)}}, text + ratios};
 }
 
 } // namespace vigil::bench

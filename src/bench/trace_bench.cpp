@@ -2,8 +2,10 @@
 // On a CPU device both sides are timed by the processor time they use, so that neither the number
 // of threads nor other programs matter; a GPU is timed by the clock. The sides take turns and
 // medians are compared.
-#include "bench/trace_bench.h"
+#include "bench/benches.h"
 
+#include "bench/options.h"
+#include "bench/quality_estimate.h"
 #include "bench/trace_level.h"
 #include "bench/trace_rig.h"
 #include "common/error.h"
@@ -19,7 +21,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -31,53 +32,10 @@ namespace vigil::bench {
 
 namespace {
 
-struct Options {
-    bool quick = false;
-    TraceRig::Nodes nodes = TraceRig::Nodes::Texels;
-    std::string json;
-    std::vector<std::filesystem::path> basedirs;
-    std::vector<std::string> levels;
-};
-
-Options parse_options(std::span<const std::string> arguments) {
-    Options options;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string& option = arguments[i];
-        const auto value = [&]() -> const std::string& {
-            if (i + 1 >= arguments.size()) fail("{} needs a value", option);
-            return arguments[++i];
-        };
-        if (option == "--quick")
-            options.quick = true;
-        else if (option == "--storage")
-            options.nodes = TraceRig::Nodes::Storage;
-        else if (option == "--json")
-            options.json = value();
-        else if (option == "--basedir")
-            options.basedirs.emplace_back(value());
-        else if (option == "--level")
-            options.levels.push_back(value());
-        else
-            fail("{}: unknown option; known are --quick, --storage, --json FILE, --basedir FOLDER, "
-                 "--level NAME",
-                 option);
-    }
-    if (options.basedirs.empty()) {
-        options.basedirs = {".", VIGIL_SOURCE_DIR};
-        if (const char* shared = std::getenv("VIGIL_SHARED"))
-            options.basedirs.push_back(std::filesystem::path(shared) / "levels");
-        options.basedirs.push_back(std::filesystem::path(VIGIL_SOURCE_DIR) / "../shared/levels");
-    }
-    if (options.levels.empty()) options.levels = {"warehouse", "gallery", "e3m6", "random"};
-    return options;
-}
-
-std::optional<TraceLevel> find_level(const Options& options, const std::string& name) {
+std::optional<TraceLevel> find_level(const TraceOptions& options, const std::string& name) {
     if (name == "random") return random_trace_level(options.quick ? 10000 : 50000);
-    for (const std::filesystem::path& basedir : options.basedirs) {
-        if (std::filesystem::exists(basedir / "baseq2/maps" / (name + ".bsp")))
-            return load_trace_level(basedir, name);
-    }
+    const std::filesystem::path basedir = folder_with(options.basedirs, name);
+    if (!basedir.empty()) return load_trace_level(basedir, name);
     fmt::print("{}: not there, skipped\n", name);
     return std::nullopt;
 }
@@ -92,11 +50,6 @@ double measure(clockid_t clock, const std::function<void()>& work) {
     const double start = seconds_of(clock);
     work();
     return seconds_of(clock) - start;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 struct Result {
@@ -121,10 +74,10 @@ std::size_t count_mismatches(const std::vector<shader::RayAnswer>& answers,
 
 class LevelBench {
 public:
-    LevelBench(const gpu::Device& device, const Options& options, const TraceLevel& level)
+    LevelBench(const gpu::Device& device, const TraceOptions& options, const TraceLevel& level)
         : quick_(options.quick),
           clock_(device.features().is_cpu ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC),
-          rig_(device, options.nodes)
+          rig_(device, options.storage ? TraceRig::Nodes::Storage : TraceRig::Nodes::Texels)
 #ifdef VIGIL_HAVE_EMBREE
           ,
           embree_(level.triangles)
@@ -185,11 +138,11 @@ private:
 } // namespace
 
 int run_trace_bench(std::span<const std::string> arguments) {
-    const Options options = parse_options(arguments);
+    const TraceOptions options = parse_trace_options(arguments);
     const gpu::Device device(gpu::DeviceOptions{}, nullptr);
     const bool per_core = device.features().is_cpu;
     fmt::print("{}\nnodes as {}; {}\n", device.description(),
-               options.nodes == TraceRig::Nodes::Texels ? "texel buffer" : "storage buffer",
+               options.storage ? "storage buffer" : "texel buffer",
                per_core ? "million rays per second and core, by processor time"
                         : "million rays per second of the device");
 #ifndef VIGIL_HAVE_EMBREE
@@ -197,11 +150,10 @@ int run_trace_bench(std::span<const std::string> arguments) {
 #endif
     fmt::print("{:<12}{:>10}{:>9}  {:<9}{:>9}{:>9}{:>9}{:>7}{:>12}\n", "level", "triangles",
                "build ms", "rays", "count", "vigil", "embree", "ratio", "differences");
-    nlohmann::json report = {
-        {"device", device.description()},
-        {"nodes", options.nodes == TraceRig::Nodes::Texels ? "texels" : "storage"},
-        {"unit", per_core ? "Mray/s/core" : "Mray/s"},
-        {"levels", nlohmann::json::array()}};
+    nlohmann::json report = {{"device", device.description()},
+                             {"nodes", options.storage ? "storage" : "texels"},
+                             {"unit", per_core ? "Mray/s/core" : "Mray/s"},
+                             {"levels", nlohmann::json::array()}};
     bool agree = true;
     for (const std::string& name : options.levels) {
         const std::optional<TraceLevel> level = find_level(options, name);

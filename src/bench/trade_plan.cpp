@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vigil::bench {
@@ -85,13 +87,8 @@ Plan trade_plan(std::span<const std::string> arguments) {
     options.rows = {technique_row("vlc")}; // what techniques and presets are compared with
     options.seeds = 2;
     options.reference_paths = 512;
-    QualityOptions quick = options;
+    QualityOptions quick = least(options);
     quick.levels = {"warehouse"};
-    quick.views = 1;
-    quick.seeds = 1;
-    quick.warmup = 4;
-    quick.size = {96, 54};
-    quick.reference_paths = 64;
     Plan plan{"trade", parse_quality_options(arguments, {options, quick}), {}};
     const auto add = [&](const std::string& level, std::string_view name, std::string_view baseline,
                          const std::vector<QualityRow>& rows) {
@@ -104,8 +101,8 @@ Plan trade_plan(std::span<const std::string> arguments) {
     };
     for (const std::string& level : plan.options.levels) {
         std::vector<QualityRow> techniques = technique_rows();
-        for (const std::string_view name : {"sll+cdq", "lh+cdq", "vlc+cdq"})
-            techniques.push_back(technique_row(name));
+        std::ranges::move(technique_rows({"sll+cdq", "lh+cdq", "vlc+cdq"}),
+                          std::back_inserter(techniques));
         add(level, "techniques", plan.options.baseline, techniques);
         add(level, "presets", plan.options.baseline, preset_rows());
         for (const Sweep& sweep : sweeps()) {

@@ -25,7 +25,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-const auto plans = {&quality_plan, &adapt_plan, &timing_plan, &scale_plan, &trade_plan};
+const auto plans = {&quality_plan, &adapt_plan, &ring_plan, &timing_plan, &scale_plan, &trade_plan};
 
 /// Sets and reads back: a name that exists, a value in its range.
 void expect_value(const Setting& setting) {
@@ -124,8 +124,8 @@ TEST(Plan, ViewsAreEnoughForIntervals) {
     for (const auto& make : plans) {
         for (const Part& part : make({}).parts) {
             const QualityOptions& options = part.options;
-            if (options.measured == Measured::Times) {
-                EXPECT_GE(options.seeds, 6) << part.name; // flights
+            if (options.measured == Measured::Times || options.measured == Measured::Turn) {
+                EXPECT_GE(options.seeds, 6) << part.name; // flights, or runs at one place
                 continue;
             }
             EXPECT_GE(options.views, 4) << part.name;

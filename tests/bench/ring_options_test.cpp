@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The ring experiment's command line, and what its rows set.
-#include "bench/ring_options.h"
-
 #include "bench/plan.h"
 
 #include "common/error.h"
@@ -16,8 +14,8 @@ namespace vigil::bench {
 
 namespace {
 
-RingOptions parse(const std::vector<std::string>& words) {
-    return parse_ring_options(words);
+QualityOptions parse(const std::vector<std::string>& words) {
+    return ring_plan(words).options;
 }
 
 } // namespace
@@ -33,7 +31,7 @@ TEST(RingOptions, OneRowPerSizeAndTheBrdf) {
 }
 
 TEST(RingOptions, NumbersAreCheckedAndOptionsKnown) {
-    const RingOptions options =
+    const QualityOptions options =
         parse({"--seeds", "3", "--size", "64x32", "--set", "pt_cdq_rays", "0", "--fresh"});
     EXPECT_EQ(options.seeds, 3);
     EXPECT_EQ(options.size, glm::ivec2(64, 32));
@@ -41,7 +39,7 @@ TEST(RingOptions, NumbersAreCheckedAndOptionsKnown) {
     EXPECT_EQ(options.settings[0].name, "pt_cdq_rays");
     EXPECT_TRUE(options.fresh);
     EXPECT_EQ(options.turns, (std::vector<int>{9, 36}));
-    const RingOptions one = parse({"--turn", "20", "--bits", "128"});
+    const QualityOptions one = parse({"--turn", "20", "--bits", "128"});
     EXPECT_EQ(one.turns, std::vector<int>{20});
     EXPECT_EQ(one.bits, std::vector<int>{128});
     for (const std::vector<std::string>& words :

@@ -4,6 +4,7 @@
 // no files.
 #include "console/cvar.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -124,19 +125,20 @@ std::string page() {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 1) {
+    CLI::App app("Prints the page of all console variables.", "vigil_cvar_docs");
+    std::string path;
+    app.add_option("--check", path, "compare this file with the page instead")
+        ->check(CLI::ExistingFile);
+    CLI11_PARSE(app, argc, argv)
+    if (path.empty()) {
         fmt::print("{}", page());
         return 0;
     }
-    if (argc != 3 || std::string_view(argv[1]) != "--check") {
-        fmt::print(stderr, "usage: vigil_cvar_docs [--check FILE]\n");
-        return 2;
-    }
-    std::ifstream file(argv[2], std::ios::binary);
+    std::ifstream file(path, std::ios::binary);
     const std::string committed((std::istreambuf_iterator<char>(file)),
                                 std::istreambuf_iterator<char>());
     if (committed == page()) return 0;
     fmt::print(stderr, "{} is not what the table says; run vigil_cvar_docs > docs/cvars.md\n",
-               argv[2]);
+               path);
     return 1;
 }

@@ -6,17 +6,19 @@
 
 #include "common/error.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <string>
 
 using namespace vigil;
 
 namespace {
 
-void write_table(const char* path, const std::vector<LtcFit>& table) {
+void write_table(const std::string& path, const std::vector<LtcFit>& table) {
     std::ofstream out(path);
     out << "// SPDX-License-Identifier: GPL-2.0-or-later\n"
            "// Written by tools/ltc_fit: {matrix a, b, c, d}, {albedo f0 term, albedo rest}; see "
@@ -53,13 +55,13 @@ void print_residuals(const std::vector<LtcFit>& table) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        fmt::print(stderr, "usage: ltc_fit FILE\n");
-        return 2;
-    }
+    CLI::App app("Fits the table of linearly transformed cosines.", "ltc_fit");
+    std::string path;
+    app.add_option("FILE", path, "the table, light/ltc_table.inc")->required();
+    CLI11_PARSE(app, argc, argv)
     try {
         const std::vector<LtcFit> table = fit_ltc_table();
-        write_table(argv[1], table);
+        write_table(path, table);
         print_residuals(table);
     } catch (const Error& error) {
         fmt::print(stderr, "ltc_fit: {}\n", error.what());

@@ -17,6 +17,7 @@ program |                               | libimgui-dev                          
 program |                               | zlib1g-dev                                 | zlib-devel                        | zlib
 program |                               | libjpeg62-turbo-dev/libjpeg-turbo8-dev     | libjpeg-turbo-devel               | libjpeg-turbo
 program |                               | libglm-dev libfmt-dev nlohmann-json3-dev   | glm-devel fmt-devel json-devel    | glm fmt nlohmann-json
+program |                               | libcli11-dev libboost-dev                  | cli11-devel boost-devel           | cli11 boost
 program |                               | libstb-dev libtinyexr-dev                  | stb_image-devel stb_image_write-devel tinyexr-devel | stb @tinyexr
 tests   |                               | libgtest-dev                               | gtest-devel                       | gtest
 tests   | tests run without Vulkan's validation | vulkan-validationlayers            | vulkan-validation-layers          | vulkan-validation-layers

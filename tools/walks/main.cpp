@@ -6,33 +6,26 @@
 #include "walks/walk_maker.h"
 #include "walks/walk_report.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
+#include <string>
 
 namespace {
 
-int run(int argc, char** argv) {
-    using namespace vigil;
-    if (argc < 4 || argc > 5) fail("usage: vigil_make_walk BASEDIR LEVEL FILE [SECONDS | --check]");
-    const std::string path = argv[3], last = argc > 4 ? argv[4] : "";
-    FileSystem files;
-    files.mount_game(argv[1], "baseq2");
-    const std::shared_ptr<const Level> level = load_level(files, argv[2]);
-    if (last == "--check") {
-        std::ifstream file(path, std::ios::binary);
-        if (!file) fail("{}: cannot be read", path);
-        const std::string text(std::istreambuf_iterator<char>(file), {});
-        const auto report = walks::report_walk(level, client::Walk::parse(path, text));
-        fmt::print("{}: {}\n", path, report.text());
-        return 0;
-    }
-    walks::MakerOptions options;
-    options.verbose = true;
-    if (!last.empty()) options.seconds = std::strtof(last.c_str(), nullptr);
+using namespace vigil;
+
+void check_walk(const std::shared_ptr<const Level>& level, const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    fmt::print("{}: {}\n", path, walks::report_walk(level, client::Walk::parse(path, text)).text());
+}
+
+void make_walk(const std::shared_ptr<const Level>& level, const std::string& path,
+               const walks::MakerOptions& options) {
     const client::Walk walk = walks::WalkMaker(level, options).make();
     const walks::WalkReport report = walks::report_walk(level, walk);
     std::ofstream file(path, std::ios::binary);
@@ -41,14 +34,31 @@ int run(int argc, char** argv) {
     file.close();
     if (!file) fail("{}: cannot be written", path);
     fmt::print("{}: {}\n", path, report.text());
-    return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    CLI::App app("Makes a walk through BASEDIR/baseq2/maps/LEVEL.bsp.", "vigil_make_walk");
+    std::string basedir, name, path;
+    bool check = false;
+    walks::MakerOptions options;
+    options.verbose = true;
+    app.add_option("BASEDIR", basedir)->required()->check(CLI::ExistingDirectory);
+    app.add_option("LEVEL", name)->required();
+    app.add_option("FILE", path, "the walk")->required();
+    app.add_option("SECONDS", options.seconds, "its length")->capture_default_str();
+    app.add_flag("--check", check, "say what the walk in FILE does");
+    CLI11_PARSE(app, argc, argv)
     try {
-        return run(argc, argv);
+        FileSystem files;
+        files.mount_game(basedir, "baseq2");
+        const std::shared_ptr<const Level> level = load_level(files, name);
+        if (check)
+            check_walk(level, path);
+        else
+            make_walk(level, path, options);
+        return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "vigil_make_walk: {}\n", error.what());
         return 1;

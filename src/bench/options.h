@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an experiment about quality is asked to do, as data: levels, rows (a technique with
-// variables), and how often and how long to measure. Parsed from the command line; docs/quality.md
-// lists it.
+// What a benchmark is asked to do, as data: levels, rows (a technique with variables), and how
+// often and how long to measure. Parsed from the command line by CLI11, whose --help lists all;
+// docs/quality.md explains them.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,8 @@ struct QualityRow {
 enum class Measured {
     Errors, // of single frames after a warm-up, and times
     Curve,  // errors frame by frame from an empty cache, standing still
-    Times   // of every frame of the warm-up, by pass; no references
+    Times,  // of every frame of the warm-up, by pass; no references
+    Turn    // errors frame by frame after a lamp has turned
 };
 
 struct QualityOptions {
@@ -55,6 +56,9 @@ struct QualityOptions {
     std::string json;               // empty: NAME.json below outdir
     std::string trade;              // of `confirm`: the report whose values are measured again
     std::string pictures;           // folder for pictures of references and runs; empty: none
+    // Of `ring`: frames before the lamp turns, its turns in degrees, and sizes of quadtrees.
+    int settle = 0;
+    std::vector<int> turns, bits;
 };
 
 /// What an experiment does when nothing else is said.
@@ -63,11 +67,29 @@ struct QualityDefaults {
     QualityOptions quick; // with --quick
 };
 
-/// Parses the words after an experiment's name. `rows` of the defaults are those when no technique
-/// is named. Throws Error that lists the options when one is unknown, and when a value is no
-/// number, out of range, or names no technique.
+/// Parses the words after an experiment's name; which options there are depends on what is
+/// measured. Named levels, techniques, turns and sizes replace those of the defaults. Throws Error
+/// when an option is unknown or a value is no number, out of range, or names nothing. Prints the
+/// options and exits with --help.
 QualityOptions parse_quality_options(std::span<const std::string> arguments,
                                      const QualityDefaults& defaults);
+
+/// Of `trace`.
+struct TraceOptions {
+    bool quick = false;   // fewer rays
+    bool storage = false; // nodes as a storage buffer
+    std::string json;     // empty: none
+    std::vector<std::filesystem::path> basedirs;
+    std::vector<std::string> levels = {"warehouse", "gallery", "e3m6", "random"};
+};
+TraceOptions parse_trace_options(std::span<const std::string> arguments);
+
+/// Of a benchmark without any.
+void parse_no_options(std::span<const std::string> arguments);
+
+/// The first of the folders that has maps/LEVEL.bsp; empty where none has.
+std::filesystem::path folder_with(std::span<const std::filesystem::path> basedirs,
+                                  const std::string& level);
 
 /// "LABEL:NAME=VALUE,NAME=VALUE". Throws Error when it is not of this form or no variable is called
 /// NAME.
@@ -77,10 +99,16 @@ QualityRow parse_variant(std::string_view text);
 /// Throws Error when there is no such technique.
 QualityRow technique_row(std::string_view name);
 
-/// Whether a row draws rays from quadtrees.
-bool is_guided(const QualityRow& row);
+/// Those of several names.
+std::vector<QualityRow> technique_rows(std::initializer_list<std::string_view> names);
 
 /// One row per technique, in the order of shaders/shared/techniques.h, without `brute`.
 std::vector<QualityRow> technique_rows();
+
+/// One row per size of quadtree, bits, and one with rays drawn by the BRDF alone, the last.
+std::vector<QualityRow> ring_rows(std::span<const int> bits);
+
+/// Whether a row draws rays from quadtrees.
+bool is_guided(const QualityRow& row);
 
 } // namespace vigil::bench

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How a part of an experiment is measured, and what all of them say about it: JSON for programs,
+// from which the tables for people are made. Numbers that do not exist are NaN, in files null.
+#pragma once
+
+#include "bench/options.h"
+#include "bench/quality_estimate.h"
+#include "bench/quality_renderer.h"
+#include "common/progress.h"
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+namespace vigil::bench {
+
+struct PartReport {
+    nlohmann::ordered_json json;
+    std::string text;
+};
+
+/// Measures a level that is in the renderer. One step of progress for every view, seed and row.
+using Measure = PartReport(const QualityOptions& options, QualityRenderer& renderer,
+                           const std::string& level, Progress& progress);
+
+/// Errors and times of single frames after a warm-up.
+Measure measure_errors;
+/// Errors frame by frame from an empty cache.
+Measure measure_curve;
+/// What frames cost while the camera moves to the renderer's first place, pass by pass: the paper's
+/// figures 11 and 12.
+Measure measure_times;
+/// Errors frame by frame after the lamp has turned by the first of the turns: the paper's figure
+/// 10.
+Measure measure_turn;
+
+nlohmann::ordered_json to_json(const Interval& interval);
+nlohmann::ordered_json to_json(const Comparison& comparison);
+/// The mean, the typical run, and the values themselves.
+nlohmann::ordered_json to_json(const Strata& values);
+/// Its label and variables.
+nlohmann::ordered_json to_json(const QualityRow& row);
+/// Name: value.
+nlohmann::ordered_json variables_json(std::span<const Setting> settings);
+
+/// The tables of measure_errors, from its JSON.
+std::string errors_text(const QualityOptions& options, const std::string& level,
+                        const nlohmann::ordered_json& report);
+/// Those of measure_curve.
+std::string curve_text(const QualityOptions& options, const std::string& level,
+                       const nlohmann::ordered_json& report);
+
+/// Three digits, or "?".
+std::string number_text(double value);
+/// "[low, high]".
+std::string range_text(const Interval& interval);
+
+} // namespace vigil::bench
