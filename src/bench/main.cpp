@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         if (app.get_subcommands().empty()) fmt::print("{}", app.help());
         return status;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error);
+        return app.exit(error) == 0 ? 0 : 2; // --help is no fault
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 2;

@@ -8,6 +8,9 @@
 #include "bench/quality_renderer.h"
 #include "common/progress.h"
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -54,5 +57,18 @@ std::string curve_text(const QualityOptions& options, const std::string& level,
 std::string number_text(double value);
 /// "[low, high]".
 std::string range_text(const Interval& interval);
+
+/// All rows take turns, so that whatever else the machine does falls on all of them: calls
+/// run(row, seed).
+template <typename Run>
+void take_turns(const QualityOptions& options, Progress& progress, const std::string& what,
+                const Run& run) {
+    for (int seed = 0; seed < options.seeds; ++seed) {
+        for (std::size_t row = 0; row < options.rows.size(); ++row) {
+            run(row, options.first_seed + seed);
+            progress.advance(fmt::format("{} {} of {}", what, seed + 1, options.seeds));
+        }
+    }
+}
 
 } // namespace vigil::bench

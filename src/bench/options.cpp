@@ -56,19 +56,6 @@ public:
     }
 };
 
-/// WIDTHxHEIGHT in pixels.
-struct SizeReader {
-    glm::ivec2& size;
-
-    void operator()(const std::string& text) const {
-        char rest = 0;
-        const auto fits = [](int pixels) { return pixels >= 16 && pixels <= 16384; };
-        if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2 || !fits(size.x) ||
-            !fits(size.y))
-            fail("--size {}: expected WIDTHxHEIGHT, each from 16 to 16384", text);
-    }
-};
-
 bool has_row(const QualityOptions& options, std::string_view label) {
     return std::ranges::find(options.rows, label, &QualityRow::label) != options.rows.end();
 }
@@ -168,7 +155,14 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
     const bool turns = options.measured == Measured::Turn;
     Parser parser;
     parser.add_flag("--quick", quick, "little of everything"); // known before all others
-    parser.add_option_function<std::string>("--size", SizeReader{options.size}, "pixels")
+    const auto read_size = [&size = options.size](const std::string& text) {
+        char rest = 0;
+        const auto fits = [](int pixels) { return pixels >= 16 && pixels <= 16384; };
+        if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2 || !fits(size.x) ||
+            !fits(size.y))
+            fail("--size {}: expected WIDTHxHEIGHT, each from 16 to 16384", text);
+    };
+    parser.add_option_function<std::string>("--size", read_size, "pixels")
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options.size.x, options.size.y));
     parser.add_count("--seeds", options.seeds, 1, 1000, "repeats");

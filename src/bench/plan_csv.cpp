@@ -45,10 +45,11 @@ std::string plan_csv(const ordered_json& report) {
                                  const std::string& values) {
                 text += fmt::format("{}{},{},{}\n", start, measure, frame, values);
             };
-            for (const auto& [name, member] : row.items()) {
+            for (const auto& [key, member] : row.items()) {
                 // A row that has frames itself is a curve of MSE.
-                const ordered_json measure =
-                    name == "frames" ? ordered_json{{"frames", member}} : member;
+                const bool is_curve = key == "frames";
+                const std::string name = is_curve ? "mse" : key;
+                const ordered_json measure = is_curve ? ordered_json{{key, member}} : member;
                 if (!measure.is_object()) continue;
                 if (measure.contains("value")) add(name, "", interval(measure));
                 // Ratios to the baseline, and others of their kind.

@@ -198,18 +198,13 @@ PartReport measure_errors(const QualityOptions& options, QualityRenderer& render
             for (Strata& strata : row.pass_ms)
                 strata.emplace_back();
         }
-        // All rows take turns, so that whatever else the machine does falls on all of them.
         Pictures pictures(options.rows.size());
-        for (int seed = 0; seed < options.seeds; ++seed) {
-            for (std::size_t row = 0; row < options.rows.size(); ++row) {
-                Measurement measured = renderer.measure(place, options.rows[row],
-                                                        options.first_seed + seed, options.frames);
-                add_measurement(results[row], measured);
-                pictures[row].push_back(std::move(measured.pictures));
-                progress.advance(
-                    fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
-            }
-        }
+        const std::string turns = fmt::format("view {}, seed", place.name);
+        take_turns(options, progress, turns, [&](std::size_t row, int seed) {
+            Measurement measured = renderer.measure(place, options.rows[row], seed, options.frames);
+            add_measurement(results[row], measured);
+            pictures[row].push_back(std::move(measured.pictures));
+        });
         Reference reference(pictures[0][0][0].size());
         ordered_json view = make_reference(options, renderer, place, progress, reference, pictures);
         if (!options.pictures.empty())
@@ -267,14 +262,11 @@ PartReport measure_curve(const QualityOptions& options, QualityRenderer& rendere
     std::vector<std::map<std::string, Curve>> curves(options.rows.size());
     for (const Place& place : renderer.places()) {
         Pictures pictures(options.rows.size());
-        for (int seed = 0; seed < options.seeds; ++seed) {
-            for (std::size_t row = 0; row < options.rows.size(); ++row) {
-                renderer.begin_run(options.rows[row], options.first_seed + seed);
-                pictures[row].push_back(renderer.stand_still(place.measured(), options.frames));
-                progress.advance(
-                    fmt::format("view {}, seed {} of {}", place.name, seed + 1, options.seeds));
-            }
-        }
+        const std::string turns = fmt::format("view {}, seed", place.name);
+        take_turns(options, progress, turns, [&](std::size_t row, int seed) {
+            renderer.begin_run(options.rows[row], seed);
+            pictures[row].push_back(renderer.stand_still(place.measured(), options.frames));
+        });
         // The last frames are the best ones.
         Pictures last(options.rows.size());
         for (std::size_t row = 0; row < pictures.size(); ++row)

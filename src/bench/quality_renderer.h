@@ -53,7 +53,6 @@ public:
     ~QualityRenderer();
 
     const std::vector<Place>& places() const { return places_; }
-    std::string device() const { return renderer_->describe_device(); }
     /// Radiance values so far that were not finite and count as 0.
     std::uint32_t nonfinite_count() const { return renderer_->nonfinite_count(); }
     /// Of the level, as it is rendered. After a frame.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rows take turns; what a repeat loses to other work on the machine, the median over repeats of the
-// same frame does not show.
+// What a repeat loses to other work on the machine, the median over repeats of the same frame does
+// not show.
 #include "bench/measure.h"
 #include "client/pass_statistics.h"
 #include "refresh/vkpt/gpu/passes.h"
@@ -78,12 +78,9 @@ PartReport measure_times(const QualityOptions& options, QualityRenderer& rendere
                          const std::string& level, Progress& progress) {
     const Place& place = renderer.places().front();
     std::vector<std::vector<std::vector<FrameCost>>> costs(options.rows.size()); // [row][flight]
-    for (int seed = 0; seed < options.seeds; ++seed) {
-        for (std::size_t row = 0; row < options.rows.size(); ++row) {
-            costs[row].push_back(renderer.fly(place, options.rows[row], options.first_seed + seed));
-            progress.advance(fmt::format("flight {} of {}", seed + 1, options.seeds));
-        }
-    }
+    take_turns(options, progress, "flight", [&](std::size_t row, int seed) {
+        costs[row].push_back(renderer.fly(place, options.rows[row], seed));
+    });
     const std::vector<TimingRow> timings(costs.begin(), costs.end());
     const auto baseline_row = std::ranges::find(options.rows, options.baseline, &QualityRow::label);
     const TimingRow& baseline = timings[baseline_row - options.rows.begin()];

@@ -98,21 +98,17 @@ PartReport measure_turn(const QualityOptions& options, QualityRenderer& renderer
     const Reference straight = turned_reference(options, renderer, pose, 0, progress);
     const Reference turned = turned_reference(options, renderer, pose, degrees, progress);
     std::vector<TurnRow> errors(options.rows.size(), {{}, Strata(options.frames)});
-    for (int seed = 0; seed < options.seeds; ++seed) {
-        for (std::size_t row = 0; row < errors.size(); ++row) {
-            renderer.turn(lamp, 0.0f);
-            renderer.begin_run(options.rows[row], options.first_seed + seed);
-            renderer.stand_still(pose, options.settle);
-            errors[row].before.push_back(
-                mean_error(renderer.stand_still(pose, ring_tail), straight).mse);
-            renderer.turn(lamp, static_cast<float>(degrees));
-            const std::vector<std::vector<float>> pictures =
-                renderer.stand_still(pose, options.frames);
-            for (int frame = 0; frame < options.frames; ++frame)
-                errors[row].after[frame].push_back(picture_error(pictures[frame], turned).mse);
-            progress.advance(fmt::format("seed {} of {}", seed + 1, options.seeds));
-        }
-    }
+    take_turns(options, progress, "seed", [&](std::size_t row, int seed) {
+        renderer.turn(lamp, 0.0f);
+        renderer.begin_run(options.rows[row], seed);
+        renderer.stand_still(pose, options.settle);
+        errors[row].before.push_back(
+            mean_error(renderer.stand_still(pose, ring_tail), straight).mse);
+        renderer.turn(lamp, static_cast<float>(degrees));
+        const std::vector<std::vector<float>> pictures = renderer.stand_still(pose, options.frames);
+        for (int frame = 0; frame < options.frames; ++frame)
+            errors[row].after[frame].push_back(picture_error(pictures[frame], turned).mse);
+    });
     ordered_json report = {{"degrees", degrees},
                            {"reference_variance", turned.mean_variance()},
                            {"rows", ordered_json::array()}};

@@ -277,7 +277,10 @@ TEST(PlanCsv, HasALineForEveryMeasureAndFrame) {
               {"trimmed_mse",
                {{"frames",
                  {{{"value", 7.0}, {"median", {{"value", 6.0}, {"low", 5.0}, {"high", 8.0}}}}}}}},
-              {"path_ms", {{"frames", {2.0, 3.0}}}}}}}}}}};
+              {"path_ms", {{"frames", {2.0, 3.0}}}},
+              {"frames",
+               {{{"value", 4.0},
+                 {"median", {{"value", 4.0}, {"low", 3.0}, {"high", 5.0}}}}}}}}}}}}};
     EXPECT_EQ(plan_csv(report),
               "part,level,width,height,triangles,lights,row,measure,frame,value,low,high\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse,,0.5,,1\n"
@@ -285,7 +288,9 @@ TEST(PlanCsv, HasALineForEveryMeasureAndFrame) {
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,trimmed_mse,1,7,,\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,trimmed_mse.median,1,6,5,8\n"
               "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,1,2,,\n"
-              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,2,3,,\n");
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,path_ms,2,3,,\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse,1,4,,\n"
+              "\"a, \"\"b\"\"\",warehouse,320,180,,,sll,mse.median,1,4,3,5\n");
 }
 
 } // namespace vigil::bench
