@@ -2,7 +2,7 @@
 // What a repeat loses to other work on the machine, the median over repeats of the same frame does
 // not show.
 #include "bench/measure.h"
-#include "client/pass_statistics.h"
+#include "client/measure/pass_statistics.h"
 #include "refresh/vkpt/gpu/passes.h"
 
 #include <fmt/format.h>
