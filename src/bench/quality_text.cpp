@@ -198,8 +198,9 @@ std::string sample_table(const ordered_json& rows) {
 
 std::string time_table(const QualityOptions& options, const ordered_json& rows) {
     std::vector<std::pair<std::string, std::size_t>> shown; // passes that ran in some row; widths
-    for (const auto& [pass, values] : rows[0].at("pass_ms").items())
-        if (std::ranges::any_of(rows, [&](const ordered_json& row) {
+    for (const auto& item : rows[0].at("pass_ms").items())
+        if (const std::string& pass = item.key();
+            std::ranges::any_of(rows, [&](const ordered_json& row) {
                 return median_of(row.at("pass_ms").at(pass).get<Strata>()) > 0.0;
             }))
             shown.emplace_back(pass, std::max<std::size_t>(9, pass.size() + 1));
