@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Picks the decoder for a picture's bytes, and the small things every texture needs: the checker,
-// the mean colour, the fallback palette. stb_image decodes PNG and TGA (image_stb.cpp), libjpeg JPG
-// (jpg.cpp).
+// the mean colour, the fallback palette, the limits of sizes.
 #include "formats/image.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"
-#include "formats/image_stb.h"
-#include "formats/jpg.h"
+#include "formats/image_decoders.h"
 #include "formats/pcx.h"
 #include "formats/wal.h"
 
@@ -59,6 +57,20 @@ Image decode_image(std::string_view name, std::span<const uint8_t> bytes, const 
     if (extension == "png" || extension == "jpg" || extension == "jpeg")
         fail("{}: the bytes are neither PNG nor JPG", name);
     fail("{}: not a picture format Vigil reads (png, jpg, tga, wal, pcx)", name);
+}
+
+void check_image_size(std::string_view name, uint64_t width, uint64_t height) {
+    if (width == 0 || height == 0) fail("{}: the picture is empty ({} x {})", name, width, height);
+    if (width > image_max_size || height > image_max_size || width * height > image_max_pixels)
+        fail("{}: {} x {} pixels are too many (limit {} per side, {} in all)", name, width, height,
+             image_max_size, image_max_pixels);
+}
+
+void check_image_size(std::string_view name, uint64_t width, uint64_t height, uint64_t bytes,
+                      uint64_t most) {
+    check_image_size(name, width, height);
+    if (width * height > bytes * most)
+        fail("{}: {} bytes cannot hold {} x {} pixels", name, bytes, width, height);
 }
 
 Palette fallback_palette() {

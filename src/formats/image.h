@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A decoded picture and the one function that decodes any texture file Vigil reads: PNG and TGA
-// through stb_image, JPG through libjpeg-turbo, WAL and PCX (wal.h, pcx.h). It writes no files and
-// builds no mip levels.
+// A decoded picture and the one function that decodes any texture file Vigil reads: PNG, JPG and
+// TGA through libraries, WAL and PCX (wal.h, pcx.h). It writes no files and builds no mip levels.
 #pragma once
 
 #include <glm/vec4.hpp>

@@ -5,7 +5,7 @@
 
 #include "common/error.h"
 #include "formats/byte_reader.h"
-#include "formats/image_stb.h"
+#include "formats/image_decoders.h"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The body of stb_image, alone in its file because it does not compile under the project's
-// warnings. Only the formats Vigil reads are built in; files come as bytes, never by name.
-#define STBI_ONLY_PNG
+// warnings. Only TGA is built in; files come as bytes, never by name.
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_NO_HDR

@@ -6,7 +6,7 @@
 #include "common/error.h"
 #include "formats/bsp.h"
 #include "formats/byte_reader.h"
-#include "formats/image_stb.h"
+#include "formats/image_decoders.h"
 
 namespace vigil {
 

@@ -23,13 +23,32 @@ void decode(std::string_view name, Input bytes) {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The checksum is left 0: it is not looked at.
+void put_big_endian(std::span<std::uint8_t> four, std::uint64_t value) {
+    for (std::size_t i = 0; i < 4; ++i)
+        four[i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
+}
+
+/// The checksum is left 0: right_checksums() follows.
 void append_chunk(Bytes& file, std::string_view kind, const Bytes& content) {
-    for (int shift = 24; shift >= 0; shift -= 8)
-        file.push_back(static_cast<std::uint8_t>(content.size() >> shift));
+    file.resize(file.size() + 4);
+    put_big_endian(std::span(file).last(4), content.size());
     file.insert(file.end(), kind.begin(), kind.end());
     file.insert(file.end(), content.begin(), content.end());
     file.insert(file.end(), 4, 0);
+}
+
+/// A PNG whose chunks all have the right checksum: libpng would not look beyond a wrong one.
+void right_checksums(Bytes& file) {
+    constexpr std::size_t signature = 8, around = 12; // bytes of a chunk besides its content
+    for (std::size_t at = signature; at + around <= file.size();) {
+        std::size_t size = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            size = size << 8 | file[at + i];
+        if (size > file.size() - at - around) return;
+        put_big_endian(std::span(file).subspan(at + 8 + size, 4),
+                       crc32_z(0, file.data() + at + 4, 4 + size));
+        at += around + size;
+    }
 }
 
 } // namespace
@@ -44,7 +63,9 @@ void fuzz_tga(Input bytes) {
     decode("x.tga", bytes);
 }
 void fuzz_png(Input bytes) {
-    decode("x.png", bytes);
+    Bytes file(bytes.begin(), bytes.end());
+    right_checksums(file);
+    decode("x.png", file);
 }
 /// Width, height, colour type, depth and interlacing, one byte each, then the rows.
 void fuzz_png_rows(Input bytes) {
@@ -65,6 +86,7 @@ void fuzz_png_rows(Input bytes) {
     append_chunk(file, "PLTE", Bytes(768, 0x55));
     append_chunk(file, "IDAT", packed);
     append_chunk(file, "IEND", {});
+    right_checksums(file);
     decode("x.png", file);
 }
 void fuzz_jpg(Input bytes) {

@@ -15,7 +15,7 @@ program |                               | mesa-vulkan-drivers                   
 program |                               | libsdl2-dev libglfw3-dev                   | SDL2-devel/sdl2-compat-devel glfw-devel | sdl2-compat/sdl2 glfw
 program |                               | libimgui-dev                               | @imgui                            | @imgui
 program |                               | zlib1g-dev                                 | zlib-devel                        | zlib
-program |                               | libjpeg62-turbo-dev/libjpeg-turbo8-dev     | libjpeg-turbo-devel               | libjpeg-turbo
+program |                               | libturbojpeg0-dev libpng-dev               | turbojpeg-devel libpng-devel      | libjpeg-turbo libpng
 program |                               | libglm-dev libfmt-dev nlohmann-json3-dev   | glm-devel fmt-devel json-devel    | glm fmt nlohmann-json
 program |                               | libcli11-dev libboost-dev                  | cli11-devel boost-devel           | cli11 boost
 program |                               | libstb-dev libtinyexr-dev                  | stb_image-devel stb_image_write-devel tinyexr-devel | stb @tinyexr
