@@ -1,68 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "formats/dm2_parser.h"
 
-#include "formats/dm2_protocol.h"
+#include "formats/dm2_fields.h"
 
 namespace vigil::dm2 {
 
 namespace {
 
-enum SoundBit : uint32_t {
-    SND_VOLUME = 1,
-    SND_ATTENUATION = 2,
-    SND_POSITION = 4,
-    SND_ENTITY = 8,
-    SND_DELAY = 16,
-};
-constexpr uint32_t silenced_flag = 0x80;
-
-Sound read_sound(MessageReader& reader) {
-    Sound sound;
-    const uint32_t bits = reader.u8();
-    sound.sound = reader.u8();
-    if ((bits & SND_VOLUME) != 0) sound.volume = reader.u8();
-    if ((bits & SND_ATTENUATION) != 0) sound.attenuation = reader.u8();
-    if ((bits & SND_DELAY) != 0) sound.delay_ms = reader.u8();
-    if ((bits & SND_ENTITY) != 0) {
-        sound.entity_channel = reader.u16();
-        if (*sound.entity_channel / 8u >= most_entities)
-            reader.bad("a sound comes from entity {}", *sound.entity_channel / 8u);
-    }
-    if ((bits & SND_POSITION) != 0) sound.place = reader.position();
-    return sound;
-}
-
-MuzzleFlash read_muzzle_flash(MessageReader& reader, bool monster) {
-    MuzzleFlash flash;
-    flash.monster = monster;
-    flash.entity = reader.u16();
-    if (flash.entity == 0 || flash.entity >= most_entities)
-        reader.bad("a weapon of entity {} flashes", flash.entity);
-    const uint32_t kind = reader.u8();
-    flash.silenced = !monster && (kind & silenced_flag) != 0;
-    flash.weapon = static_cast<uint8_t>(monster ? kind : kind & ~silenced_flag);
-    return flash;
-}
-
-Download read_download(MessageReader& reader) {
-    Download download;
-    download.bytes = reader.i16();
-    download.percent = reader.u8();
-    if (download.bytes > 0) {
-        const auto data = reader.take(static_cast<size_t>(download.bytes));
-        download.data.assign(data.begin(), data.end());
-    }
-    return download;
-}
-
-ConfigString read_config_string(MessageReader& reader) {
-    ConfigString string;
-    string.index = reader.u16();
-    if (string.index >= config_string_count)
-        reader.bad("there is no configuration string {}, only 0 to {}", string.index,
-                   config_string_count - 1);
-    string.text = reader.text();
-    return string;
+template <typename Plain> Plain read(MessageReader& reader, Plain message = {}) {
+    fields(reader, message);
+    return message;
 }
 
 } // namespace
@@ -80,17 +27,13 @@ Message Parser::read_message(MessageReader& reader) {
     switch (type) {
     case svc_muzzleflash:
     case svc_muzzleflash2:
-        return read_muzzle_flash(reader, type == svc_muzzleflash2);
+        return read(reader, MuzzleFlash{.monster = type == svc_muzzleflash2});
     case svc_temp_entity:
         return read_temp_entity(reader);
     case svc_layout:
-        return Layout{reader.text()};
-    case svc_inventory: {
-        Inventory inventory;
-        for (int16_t& count : inventory.counts)
-            count = reader.i16();
-        return inventory;
-    }
+        return read<Layout>(reader);
+    case svc_inventory:
+        return read<Inventory>(reader);
     case svc_nop:
         return Signal::Nothing;
     case svc_disconnect:
@@ -98,19 +41,20 @@ Message Parser::read_message(MessageReader& reader) {
     case svc_reconnect:
         return Signal::Reconnect;
     case svc_sound:
-        return read_sound(reader);
-    case svc_print: {
-        Print print;
-        print.level = reader.u8();
-        print.text = reader.text();
-        return print;
-    }
+        return read<Sound>(reader);
+    case svc_print:
+        return read<Print>(reader);
     case svc_stufftext:
-        return StuffText{reader.text()};
-    case svc_serverdata:
-        return read_server_data(reader);
+        return read<StuffText>(reader);
+    case svc_serverdata: {
+        ServerData data = read<ServerData>(reader);
+        started_ = true;
+        baselines_.clear();
+        frames_.fill(std::nullopt);
+        return data;
+    }
     case svc_configstring:
-        return read_config_string(reader);
+        return read<ConfigString>(reader);
     case svc_spawnbaseline: {
         const EntityHeader header = read_entity_header(reader);
         if (header.number == 0) reader.bad("a baseline of entity 0");
@@ -119,9 +63,9 @@ Message Parser::read_message(MessageReader& reader) {
         return Baseline{state};
     }
     case svc_centerprint:
-        return CenterPrint{reader.text()};
+        return read<CenterPrint>(reader);
     case svc_download:
-        return read_download(reader);
+        return read<Download>(reader);
     case svc_frame:
         return read_frame(reader);
     default:
@@ -129,31 +73,13 @@ Message Parser::read_message(MessageReader& reader) {
     }
 }
 
-ServerData Parser::read_server_data(MessageReader& reader) {
-    ServerData data;
-    data.protocol = reader.i32();
-    if (data.protocol != protocol_version)
-        reader.bad("the demo has protocol {}; only {} (Quake II 3.15 to 3.24) is understood",
-                   data.protocol, protocol_version);
-    data.server_count = reader.i32();
-    data.attract_loop = reader.u8() != 0;
-    data.game_folder = reader.text();
-    data.player_number = reader.i16();
-    data.level_title = reader.text();
-    started_ = true;
-    baselines_.clear();
-    frames_.fill(std::nullopt);
-    return data;
-}
-
 Frame Parser::read_frame(MessageReader& reader) {
     Frame frame;
-    frame.number = reader.i32();
-    if (frame.number < 0) reader.bad("there is no frame {}", frame.number);
-    frame.delta_from = reader.i32();
-    frame.suppressed = reader.u8();
-    const auto areas = reader.take(reader.u8());
-    frame.area_bits.assign(areas.begin(), areas.end());
+    reader.i32(frame.number);
+    reader.expect(frame.number >= 0, "there is no frame {}", frame.number);
+    reader.i32(frame.delta_from);
+    reader.u8(frame.suppressed);
+    reader.raw(frame.area_bits, reader.u8());
 
     static const Frame nothing;
     const Frame* before = &nothing;

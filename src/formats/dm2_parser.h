@@ -25,7 +25,6 @@ private:
     static constexpr size_t kept_frames = 16;
 
     Message read_message(MessageReader& reader);
-    ServerData read_server_data(MessageReader& reader);
     Frame read_frame(MessageReader& reader);
     std::vector<EntityState> read_entities(MessageReader& reader,
                                            const std::vector<EntityState>& before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "formats/dm2_writer.h"
 
-#include "formats/dm2_protocol.h"
+#include "formats/dm2_fields.h"
 
 namespace vigil::dm2 {
 
@@ -10,78 +10,40 @@ namespace {
 template <typename... Cases> struct Overloaded : Cases... { using Cases::operator()...; };
 template <typename... Cases> Overloaded(Cases...) -> Overloaded<Cases...>; // clang 14 needs it said
 
-void write_sound(MessageWriter& writer, const Sound& sound) {
-    writer.u8(svc_sound);
-    writer.u8((sound.volume ? 1u : 0u) | (sound.attenuation ? 2u : 0u) | (sound.place ? 4u : 0u) |
-              (sound.entity_channel ? 8u : 0u) | (sound.delay_ms ? 16u : 0u));
-    writer.u8(sound.sound);
-    if (sound.volume) writer.u8(*sound.volume);
-    if (sound.attenuation) writer.u8(*sound.attenuation);
-    if (sound.delay_ms) writer.u8(*sound.delay_ms);
-    if (sound.entity_channel) writer.i16(*sound.entity_channel);
-    if (sound.place) writer.position(*sound.place);
-}
-
 } // namespace
 
 void Writer::add(const Message& message) {
     MessageWriter& out = block_;
-    const auto text = [&out](uint32_t type, std::string_view chars) {
+    const auto plain = [&out](uint32_t type, const auto& body) {
         out.u8(type);
-        out.text(chars);
+        fields(out, body);
     };
     std::visit(Overloaded{
                    [&](const ServerData& data) {
-                       out.u8(svc_serverdata);
-                       out.i32(data.protocol);
-                       out.i32(data.server_count);
-                       out.u8(data.attract_loop ? 1 : 0);
-                       out.text(data.game_folder);
-                       out.i16(data.player_number);
-                       out.text(data.level_title);
+                       plain(svc_serverdata, data);
                        baselines_.clear();
                        last_.reset();
                    },
-                   [&](const ConfigString& string) {
-                       out.u8(svc_configstring);
-                       out.i16(static_cast<int32_t>(string.index));
-                       out.text(string.text);
-                   },
                    [&](const Baseline& baseline) {
                        out.u8(svc_spawnbaseline);
-                       const EntityState state = entity_as_sent(baseline.state);
-                       write_entity(out, {}, state, true);
-                       baselines_[state.number] = state;
+                       write_entity(out, {}, baseline.state, true);
+                       baselines_[baseline.state.number] = baseline.state;
                    },
-                   [&](const Print& print) {
-                       out.u8(svc_print);
-                       out.u8(print.level);
-                       out.text(print.text);
-                   },
-                   [&](const CenterPrint& print) { text(svc_centerprint, print.text); },
-                   [&](const StuffText& commands) { text(svc_stufftext, commands.text); },
-                   [&](const Layout& layout) { text(svc_layout, layout.text); },
-                   [&](const Inventory& inventory) {
-                       out.u8(svc_inventory);
-                       for (const int16_t count : inventory.counts)
-                           out.i16(count);
-                   },
-                   [&](const Sound& sound) { write_sound(out, sound); },
+                   [&](const ConfigString& string) { plain(svc_configstring, string); },
+                   [&](const Print& print) { plain(svc_print, print); },
+                   [&](const CenterPrint& print) { plain(svc_centerprint, print); },
+                   [&](const StuffText& commands) { plain(svc_stufftext, commands); },
+                   [&](const Layout& layout) { plain(svc_layout, layout); },
+                   [&](const Inventory& inventory) { plain(svc_inventory, inventory); },
+                   [&](const Sound& sound) { plain(svc_sound, sound); },
                    [&](const MuzzleFlash& flash) {
-                       out.u8(flash.monster ? svc_muzzleflash2 : svc_muzzleflash);
-                       out.i16(flash.entity);
-                       out.u8(flash.weapon | (flash.silenced ? 0x80u : 0u));
+                       plain(flash.monster ? svc_muzzleflash2 : svc_muzzleflash, flash);
                    },
                    [&](const TempEntity& effect) {
                        out.u8(svc_temp_entity);
                        write_temp_entity(out, effect);
                    },
-                   [&](const Download& download) {
-                       out.u8(svc_download);
-                       out.i16(download.bytes);
-                       out.u8(download.percent);
-                       out.raw(download.data);
-                   },
+                   [&](const Download& download) { plain(svc_download, download); },
                    [&](Signal signal) {
                        out.u8(signal == Signal::Nothing      ? svc_nop
                               : signal == Signal::Disconnect ? svc_disconnect
@@ -92,11 +54,7 @@ void Writer::add(const Message& message) {
                message);
 }
 
-void Writer::add_frame(const Frame& source) {
-    Frame frame = source;
-    frame.player = player_as_sent(frame.player);
-    for (EntityState& entity : frame.entities)
-        entity = entity_as_sent(entity);
+void Writer::add_frame(const Frame& frame) {
     static const Frame nothing;
     const Frame& before = last_ ? *last_ : nothing;
 
@@ -116,19 +74,18 @@ void Writer::add_frame(const Frame& source) {
         for (; old != before.entities.end() && old->number < entity.number; ++old)
             write_entity_removal(out, old->number);
         if (old != before.entities.end() && old->number == entity.number) {
-            write_entity(out, unchanged_entity(*old), entity, false);
+            write_entity(out, *old, entity, false);
             ++old;
             continue;
         }
         const auto baseline = baselines_.find(entity.number);
-        write_entity(
-            out, baseline != baselines_.end() ? unchanged_entity(baseline->second) : EntityState{},
-            entity, true);
+        write_entity(out, baseline != baselines_.end() ? baseline->second : EntityState{}, entity,
+                     true);
     }
     for (; old != before.entities.end(); ++old)
         write_entity_removal(out, old->number);
     out.i16(0); // no bits, entity 0: the end
-    last_ = std::move(frame);
+    last_ = frame;
 }
 
 void Writer::end_block() {

@@ -3,8 +3,7 @@
 // from an earlier state is sent, with bits that say what.
 #pragma once
 
-#include "formats/dm2_message_reader.h"
-#include "formats/dm2_message_writer.h"
+#include "formats/dm2_wire.h"
 
 #include <array>
 
@@ -42,14 +41,14 @@ EntityState read_entity(MessageReader& reader, const EntityHeader& header, const
 /// A state that nothing is said about in a frame: as before, but standing still without an event.
 EntityState unchanged_entity(const EntityState& from);
 
-/// Writes what turns `from` into `to`. Nothing at all where nothing differs, unless `always`.
-/// Numbers must be in range, and values be what the fields can hold exactly (see entity_as_sent).
+/// Writes what turns `from` into `to`. Nothing at all where nothing differs as it arrives, unless
+/// `always`. Numbers must be in range.
 void write_entity(MessageWriter& writer, const EntityState& from, const EntityState& to,
                   bool always);
 /// Writes that entity `number` is gone.
 void write_entity_removal(MessageWriter& writer, uint32_t number);
 
 /// The state as it arrives: places and angles rounded.
-EntityState entity_as_sent(EntityState state);
+EntityState entity_as_sent(const EntityState& state);
 
 } // namespace vigil::dm2

@@ -3,8 +3,7 @@
 // with its delta compression.
 #pragma once
 
-#include "formats/dm2_message_reader.h"
-#include "formats/dm2_message_writer.h"
+#include "formats/dm2_wire.h"
 
 #include <glm/vec4.hpp>
 
@@ -39,6 +38,6 @@ PlayerState read_player(MessageReader& reader, const PlayerState& from);
 /// Writes what turns `from` into `to`.
 void write_player(MessageWriter& writer, const PlayerState& from, const PlayerState& to);
 /// The state as it arrives: places and angles rounded.
-PlayerState player_as_sent(PlayerState state);
+PlayerState player_as_sent(const PlayerState& state);
 
 } // namespace vigil::dm2

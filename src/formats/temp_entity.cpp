@@ -5,79 +5,83 @@ namespace vigil::dm2 {
 
 namespace {
 
-/// Fields of a type, one letter each, in their order: n count, p place, e end, o offset, d
+struct Kind {
+    std::string_view fields;
+    std::initializer_list<uint8_t> types;
+};
+
+/// Fields of the types, one letter each, in their order: n count, p place, e end, o offset, d
 /// direction, c colour, s entity, t other entity, m magnitude, l a long duration unless the entity
-/// is -1.
+/// is -1. TE_BLUEHYPERBLASTER sends its direction as a place.
+const Kind kinds[] = {
+    {"p",
+     {TE_EXPLOSION1, TE_EXPLOSION2, TE_ROCKET_EXPLOSION, TE_GRENADE_EXPLOSION,
+      TE_ROCKET_EXPLOSION_WATER, TE_GRENADE_EXPLOSION_WATER, TE_BFG_EXPLOSION, TE_BFG_BIGEXPLOSION,
+      TE_BOSSTPORT, TE_PLASMA_EXPLOSION, TE_PLAIN_EXPLOSION, TE_CHAINFIST_SMOKE,
+      TE_TRACKER_EXPLOSION, TE_TELEPORT_EFFECT, TE_DBALL_GOAL, TE_NUKEBLAST, TE_WIDOWSPLASH,
+      TE_EXPLOSION1_BIG, TE_EXPLOSION1_NP}},
+    {"pd",
+     {TE_GUNSHOT, TE_BLOOD, TE_BLASTER, TE_SHOTGUN, TE_SPARKS, TE_SCREEN_SPARKS, TE_SHIELD_SPARKS,
+      TE_BULLET_SPARKS, TE_GREENBLOOD, TE_BLASTER2, TE_MOREBLOOD, TE_HEATBEAM_SPARKS,
+      TE_HEATBEAM_STEAM, TE_ELECTRIC_SPARKS, TE_FLECHETTE}},
+    {"npdc", {TE_SPLASH, TE_LASER_SPARKS, TE_WELDING_SPARKS, TE_TUNNEL_SPARKS}},
+    {"pe",
+     {TE_RAILTRAIL, TE_RAILTRAIL2, TE_BUBBLETRAIL, TE_BUBBLETRAIL2, TE_DEBUGTRAIL, TE_BFG_LASER,
+      TE_BLUEHYPERBLASTER}},
+    {"spe", {TE_PARASITE_ATTACK, TE_MEDIC_CABLE_ATTACK, TE_HEATBEAM, TE_MONSTER_HEATBEAM}},
+    {"speo", {TE_GRAPPLE_CABLE}},
+    {"stpe", {TE_LIGHTNING}},
+    {"ps", {TE_FLASHLIGHT}},
+    {"pec", {TE_FORCEWALL}},
+    {"snpdcml", {TE_STEAM}},
+    {"sp", {TE_WIDOWBEAMOUT}},
+};
+
+/// Empty where the type is not known.
 std::string_view fields_of(uint8_t type) {
-    switch (type) {
-    case TE_GUNSHOT:
-    case TE_BLOOD:
-    case TE_BLASTER:
-    case TE_SHOTGUN:
-    case TE_SPARKS:
-    case TE_SCREEN_SPARKS:
-    case TE_SHIELD_SPARKS:
-    case TE_BULLET_SPARKS:
-    case TE_GREENBLOOD:
-    case TE_BLASTER2:
-    case TE_MOREBLOOD:
-    case TE_HEATBEAM_SPARKS:
-    case TE_HEATBEAM_STEAM:
-    case TE_ELECTRIC_SPARKS:
-    case TE_FLECHETTE:
-        return "pd";
-    case TE_SPLASH:
-    case TE_LASER_SPARKS:
-    case TE_WELDING_SPARKS:
-    case TE_TUNNEL_SPARKS:
-        return "npdc";
-    case TE_RAILTRAIL:
-    case TE_RAILTRAIL2:
-    case TE_BUBBLETRAIL:
-    case TE_BUBBLETRAIL2:
-    case TE_DEBUGTRAIL:
-    case TE_BFG_LASER:
-    case TE_BLUEHYPERBLASTER: // its direction is sent as a place
-        return "pe";
-    case TE_EXPLOSION1:
-    case TE_EXPLOSION2:
-    case TE_ROCKET_EXPLOSION:
-    case TE_GRENADE_EXPLOSION:
-    case TE_ROCKET_EXPLOSION_WATER:
-    case TE_GRENADE_EXPLOSION_WATER:
-    case TE_BFG_EXPLOSION:
-    case TE_BFG_BIGEXPLOSION:
-    case TE_BOSSTPORT:
-    case TE_PLASMA_EXPLOSION:
-    case TE_PLAIN_EXPLOSION:
-    case TE_CHAINFIST_SMOKE:
-    case TE_TRACKER_EXPLOSION:
-    case TE_TELEPORT_EFFECT:
-    case TE_DBALL_GOAL:
-    case TE_NUKEBLAST:
-    case TE_WIDOWSPLASH:
-    case TE_EXPLOSION1_BIG:
-    case TE_EXPLOSION1_NP:
-        return "p";
-    case TE_PARASITE_ATTACK:
-    case TE_MEDIC_CABLE_ATTACK:
-    case TE_HEATBEAM:
-    case TE_MONSTER_HEATBEAM:
-        return "spe";
-    case TE_GRAPPLE_CABLE:
-        return "speo";
-    case TE_LIGHTNING:
-        return "stpe";
-    case TE_FLASHLIGHT:
-        return "ps";
-    case TE_FORCEWALL:
-        return "pec";
-    case TE_STEAM:
-        return "snpdcml";
-    case TE_WIDOWBEAMOUT:
-        return "sp";
-    default:
-        return "";
+    for (const Kind& kind : kinds)
+        if (std::ranges::find(kind.types, type) != kind.types.end()) return kind.fields;
+    return {};
+}
+
+void fields(auto& wire, Is<TempEntity> auto& effect) {
+    wire.u8(effect.type);
+    const std::string_view letters = fields_of(effect.type);
+    wire.expect(!letters.empty(), "the effect {} is not known", effect.type);
+    for (const char letter : letters) {
+        switch (letter) {
+        case 'n':
+            wire.u8(effect.count);
+            break;
+        case 'p':
+            wire.position(effect.place);
+            break;
+        case 'e':
+            wire.position(effect.end);
+            break;
+        case 'o':
+            wire.position(effect.offset);
+            break;
+        case 'd': // one of the 162 directions that the game knows
+            wire.u8(effect.direction);
+            wire.expect(effect.direction < 162, "there is no direction {}, only 0 to 161",
+                        effect.direction);
+            break;
+        case 'c':
+            wire.u8(effect.color);
+            break;
+        case 's':
+            wire.i16(effect.entity);
+            break;
+        case 't':
+            wire.i16(effect.other_entity);
+            break;
+        case 'm':
+            wire.i16(effect.magnitude);
+            break;
+        default:
+            if (effect.entity != -1) wire.i32(effect.duration_ms);
+        }
     }
 }
 
@@ -85,80 +89,12 @@ std::string_view fields_of(uint8_t type) {
 
 TempEntity read_temp_entity(MessageReader& reader) {
     TempEntity effect;
-    effect.type = reader.u8();
-    const std::string_view fields = fields_of(effect.type);
-    if (fields.empty()) reader.bad("the effect {} is not known", effect.type);
-    for (const char field : fields) {
-        switch (field) {
-        case 'n':
-            effect.count = reader.u8();
-            break;
-        case 'p':
-            effect.place = reader.position();
-            break;
-        case 'e':
-            effect.end = reader.position();
-            break;
-        case 'o':
-            effect.offset = reader.position();
-            break;
-        case 'd':
-            effect.direction = reader.direction();
-            break;
-        case 'c':
-            effect.color = reader.u8();
-            break;
-        case 's':
-            effect.entity = reader.i16();
-            break;
-        case 't':
-            effect.other_entity = reader.i16();
-            break;
-        case 'm':
-            effect.magnitude = reader.i16();
-            break;
-        default:
-            if (effect.entity != -1) effect.duration_ms = reader.i32();
-        }
-    }
+    fields(reader, effect);
     return effect;
 }
 
 void write_temp_entity(MessageWriter& writer, const TempEntity& effect) {
-    writer.u8(effect.type);
-    for (const char field : fields_of(effect.type)) {
-        switch (field) {
-        case 'n':
-            writer.u8(effect.count);
-            break;
-        case 'p':
-            writer.position(effect.place);
-            break;
-        case 'e':
-            writer.position(effect.end);
-            break;
-        case 'o':
-            writer.position(effect.offset);
-            break;
-        case 'd':
-            writer.u8(effect.direction);
-            break;
-        case 'c':
-            writer.u8(effect.color);
-            break;
-        case 's':
-            writer.i16(effect.entity);
-            break;
-        case 't':
-            writer.i16(effect.other_entity);
-            break;
-        case 'm':
-            writer.i16(effect.magnitude);
-            break;
-        default:
-            if (effect.entity != -1) writer.i32(effect.duration_ms);
-        }
-    }
+    fields(writer, effect);
 }
 
 } // namespace vigil::dm2

@@ -3,8 +3,7 @@
 // type what a message carries.
 #pragma once
 
-#include "formats/dm2_message_reader.h"
-#include "formats/dm2_message_writer.h"
+#include "formats/dm2_wire.h"
 
 #include <string_view>
 
