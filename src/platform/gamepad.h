@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Game controllers as events: buttons and triggers are keys, sticks are places. Both window systems
-// fill the same state and report its changes from here.
+// Game controllers as events: buttons and triggers are keys, sticks are places. They are SDL 2's,
+// which knows the layout of most, whichever system has the window; they may come and go at any
+// time.
 #pragma once
 
 #include "platform/event.h"
 
 #include <array>
+#include <map>
+#include <memory>
 #include <vector>
+
+union SDL_Event;
+struct _SDL_GameController;
 
 namespace vigil::platform {
 
@@ -33,5 +39,36 @@ bool trigger_is_down(bool was_down, float way);
 /// Appends what changed.
 void add_gamepad_events(const GamepadState& before, const GamepadState& now,
                         std::vector<Event>& events);
+
+/// Opens every controller that there is or that is plugged in while it lives. Without a window too,
+/// for tests.
+class Gamepads {
+public:
+    /// A system without controllers is no error: a warning says why there are none.
+    Gamepads();
+    ~Gamepads();
+    Gamepads(const Gamepads&) = delete;
+    Gamepads& operator=(const Gamepads&) = delete;
+
+    /// Appends what one of SDL's events means, if it is one of a controller's.
+    void handle(const SDL_Event& event, std::vector<Event>& events);
+    /// Appends that all of them are let go: another window has the keyboard.
+    void let_go(std::vector<Event>& events);
+
+private:
+    struct Close {
+        void operator()(_SDL_GameController* controller) const;
+    };
+    struct Gamepad {
+        std::unique_ptr<_SDL_GameController, Close> controller;
+        GamepadState state;
+    };
+
+    void connect(int device);
+    void disconnect(int id, std::vector<Event>& events);
+
+    bool started_ = false;
+    std::map<int, Gamepad> gamepads_; // by SDL's id of the instance
+};
 
 } // namespace vigil::platform

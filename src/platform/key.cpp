@@ -4,6 +4,7 @@
 
 #include "common/ascii_case.h"
 
+#include <algorithm>
 #include <array>
 
 namespace vigil::platform {
@@ -51,6 +52,18 @@ std::optional<Key> key_from_name(std::string_view name) {
 
 std::vector<std::string_view> key_names() {
     return {names.begin() + 1, names.end()};
+}
+
+Key key_of_code(int code, std::span<const CodeRun> runs, std::span<const CodeList> lists) {
+    const auto after = [](Key first, std::ptrdiff_t steps) {
+        return static_cast<Key>(static_cast<std::ptrdiff_t>(first) + steps);
+    };
+    for (const CodeRun& run : runs)
+        if (code >= run.low && code <= run.high) return after(run.first, code - run.low);
+    for (const CodeList& list : lists)
+        if (const auto found = std::ranges::find(list.codes, code); found != list.codes.end())
+            return after(list.first, found - list.codes.begin());
+    return Key::None;
 }
 
 } // namespace vigil::platform

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -45,5 +46,18 @@ std::string_view key_name(Key key);
 std::optional<Key> key_from_name(std::string_view name);
 /// All names in the order of the enumeration, for completion.
 std::vector<std::string_view> key_names();
+
+/// Codes of a window system, from `low` to `high`, that stand for keys in a row from `first` on.
+struct CodeRun {
+    int low, high;
+    Key first;
+};
+/// Codes in any order that stand for keys in a row from `first` on.
+struct CodeList {
+    std::span<const int> codes;
+    Key first;
+};
+/// The key of a code; None where it is in neither.
+Key key_of_code(int code, std::span<const CodeRun> runs, std::span<const CodeList> lists = {});
 
 } // namespace vigil::platform

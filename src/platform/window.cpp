@@ -25,6 +25,15 @@ bool wants_window(std::string_view driver) {
     return driver != "headless" && (driver != "auto" || has_display());
 }
 
+void add_wheel_events(float turned, int steps, std::vector<Event>& events) {
+    events.emplace_back(WheelEvent{turned});
+    const Key key = steps > 0 ? Key::WheelUp : Key::WheelDown;
+    for (int i = 0; i < std::abs(steps); ++i) {
+        events.emplace_back(KeyEvent{key, true, false});
+        events.emplace_back(KeyEvent{key, false, false});
+    }
+}
+
 std::unique_ptr<Window> open_window(std::string_view driver, const WindowOptions& options) {
     if (!wants_window(driver)) return nullptr;
 

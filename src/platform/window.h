@@ -47,6 +47,9 @@ std::unique_ptr<Window> open_window(std::string_view driver, const WindowOptions
 /// False when `driver` is "headless", or "auto" without a display in the environment.
 bool wants_window(std::string_view driver);
 
+/// Appends that the wheel turned, and a press of its key for each whole step.
+void add_wheel_events(float turned, int steps, std::vector<Event>& events);
+
 /// One window system each; throw Error when it is not available.
 std::unique_ptr<Window> open_sdl_window(const WindowOptions& options);
 std::unique_ptr<Window> open_glfw_window(const WindowOptions& options);

@@ -8,9 +8,8 @@
 #include <vulkan/vulkan.h>
 
 #include <GLFW/glfw3.h>
+#include <SDL.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -18,106 +17,27 @@ namespace vigil::platform {
 
 namespace {
 
-using KeyPair = std::pair<int, Key>;
-
-constexpr KeyPair single_keys[] = {
-    {GLFW_KEY_TAB, Key::Tab},
-    {GLFW_KEY_ENTER, Key::Enter},
-    {GLFW_KEY_ESCAPE, Key::Escape},
-    {GLFW_KEY_SPACE, Key::Space},
-    {GLFW_KEY_BACKSPACE, Key::Backspace},
-    {GLFW_KEY_CAPS_LOCK, Key::CapsLock},
-    {GLFW_KEY_PAUSE, Key::Pause},
-    {GLFW_KEY_LEFT_SHIFT, Key::Shift},
-    {GLFW_KEY_RIGHT_SHIFT, Key::Shift},
-    {GLFW_KEY_LEFT_CONTROL, Key::Ctrl},
-    {GLFW_KEY_RIGHT_CONTROL, Key::Ctrl},
-    {GLFW_KEY_LEFT_ALT, Key::Alt},
-    {GLFW_KEY_RIGHT_ALT, Key::Alt},
-    {GLFW_KEY_LEFT_SUPER, Key::Super},
-    {GLFW_KEY_RIGHT_SUPER, Key::Super},
-    {GLFW_KEY_UP, Key::Up},
-    {GLFW_KEY_DOWN, Key::Down},
-    {GLFW_KEY_LEFT, Key::Left},
-    {GLFW_KEY_RIGHT, Key::Right},
-    {GLFW_KEY_INSERT, Key::Insert},
-    {GLFW_KEY_DELETE, Key::Delete},
-    {GLFW_KEY_PAGE_UP, Key::PageUp},
-    {GLFW_KEY_PAGE_DOWN, Key::PageDown},
-    {GLFW_KEY_HOME, Key::Home},
-    {GLFW_KEY_END, Key::End},
-    {GLFW_KEY_GRAVE_ACCENT, Key::Grave},
-    {GLFW_KEY_MINUS, Key::Minus},
-    {GLFW_KEY_EQUAL, Key::Equals},
-    {GLFW_KEY_LEFT_BRACKET, Key::LeftBracket},
-    {GLFW_KEY_RIGHT_BRACKET, Key::RightBracket},
-    {GLFW_KEY_BACKSLASH, Key::Backslash},
-    {GLFW_KEY_SEMICOLON, Key::Semicolon},
-    {GLFW_KEY_APOSTROPHE, Key::Apostrophe},
-    {GLFW_KEY_COMMA, Key::Comma},
-    {GLFW_KEY_PERIOD, Key::Period},
-    {GLFW_KEY_SLASH, Key::Slash},
-    {GLFW_KEY_KP_ENTER, Key::KeypadEnter},
-    {GLFW_KEY_KP_ADD, Key::KeypadPlus},
-    {GLFW_KEY_KP_SUBTRACT, Key::KeypadMinus},
-    {GLFW_KEY_KP_MULTIPLY, Key::KeypadMultiply},
-    {GLFW_KEY_KP_DIVIDE, Key::KeypadDivide},
-    {GLFW_KEY_KP_DECIMAL, Key::KeypadPeriod},
-};
-
-Key offset_key(Key first, int offset) {
-    return static_cast<Key>(static_cast<int>(first) + offset);
-}
-
-Key key_of(int code) {
-    const auto in = [code](int first, int last) { return code >= first && code <= last; };
-    if (in(GLFW_KEY_A, GLFW_KEY_Z)) return offset_key(Key::A, code - GLFW_KEY_A);
-    if (in(GLFW_KEY_0, GLFW_KEY_9)) return offset_key(Key::Digit0, code - GLFW_KEY_0);
-    if (in(GLFW_KEY_F1, GLFW_KEY_F12)) return offset_key(Key::F1, code - GLFW_KEY_F1);
-    if (in(GLFW_KEY_KP_0, GLFW_KEY_KP_9)) return offset_key(Key::Keypad0, code - GLFW_KEY_KP_0);
-    const auto* found = std::ranges::find(single_keys, code, &KeyPair::first);
-    return found == std::end(single_keys) ? Key::None : found->second;
-}
-
+constexpr CodeRun key_runs[] = {{GLFW_KEY_A, GLFW_KEY_Z, Key::A},
+                                {GLFW_KEY_0, GLFW_KEY_9, Key::Digit0},
+                                {GLFW_KEY_F1, GLFW_KEY_F12, Key::F1},
+                                {GLFW_KEY_KP_0, GLFW_KEY_KP_9, Key::Keypad0}};
+constexpr int from_tab[] = {
+    GLFW_KEY_TAB,          GLFW_KEY_ENTER,         GLFW_KEY_ESCAPE,     GLFW_KEY_SPACE,
+    GLFW_KEY_BACKSPACE,    GLFW_KEY_CAPS_LOCK,     GLFW_KEY_PAUSE,      GLFW_KEY_LEFT_SHIFT,
+    GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_ALT,      GLFW_KEY_LEFT_SUPER, GLFW_KEY_UP,
+    GLFW_KEY_DOWN,         GLFW_KEY_LEFT,          GLFW_KEY_RIGHT,      GLFW_KEY_INSERT,
+    GLFW_KEY_DELETE,       GLFW_KEY_PAGE_UP,       GLFW_KEY_PAGE_DOWN,  GLFW_KEY_HOME,
+    GLFW_KEY_END,          GLFW_KEY_GRAVE_ACCENT,  GLFW_KEY_MINUS,      GLFW_KEY_EQUAL,
+    GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_BACKSLASH,  GLFW_KEY_SEMICOLON,
+    GLFW_KEY_APOSTROPHE,   GLFW_KEY_COMMA,         GLFW_KEY_PERIOD,     GLFW_KEY_SLASH};
+constexpr int from_shift[] = {GLFW_KEY_RIGHT_SHIFT, GLFW_KEY_RIGHT_CONTROL, GLFW_KEY_RIGHT_ALT,
+                              GLFW_KEY_RIGHT_SUPER};
+constexpr int from_keypad_enter[] = {GLFW_KEY_KP_ENTER,    GLFW_KEY_KP_ADD,    GLFW_KEY_KP_SUBTRACT,
+                                     GLFW_KEY_KP_MULTIPLY, GLFW_KEY_KP_DIVIDE, GLFW_KEY_KP_DECIMAL};
+constexpr CodeList key_lists[] = {
+    {from_tab, Key::Tab}, {from_shift, Key::Shift}, {from_keypad_enter, Key::KeypadEnter}};
 /// GLFW numbers the buttons left, right, middle, back, forward.
-Key key_of_button(int button) {
-    return button >= 0 && button < 5 ? offset_key(Key::Mouse1, button) : Key::None;
-}
-
-/// GLFW's buttons in the order of its numbers.
-constexpr Key gamepad_keys[] = {
-    Key::PadA,
-    Key::PadB,
-    Key::PadX,
-    Key::PadY,
-    Key::PadLeftShoulder,
-    Key::PadRightShoulder,
-    Key::PadBack,
-    Key::PadStart,
-    Key::PadGuide,
-    Key::PadLeftStick,
-    Key::PadRightStick,
-    Key::PadUp,
-    Key::PadRight,
-    Key::PadDown,
-    Key::PadLeft,
-};
-static_assert(std::size(gamepad_keys) == GLFW_GAMEPAD_BUTTON_LAST + 1);
-
-GamepadState gamepad_state_of(const GLFWgamepadstate& raw, GamepadState before) {
-    GamepadState state;
-    for (size_t i = 0; i < std::size(gamepad_keys); ++i)
-        state.button(gamepad_keys[i]) = raw.buttons[i] == GLFW_PRESS;
-    // GLFW: down positive, and triggers from -1.
-    state.left = {raw.axes[GLFW_GAMEPAD_AXIS_LEFT_X], -raw.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
-    state.right = {raw.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], -raw.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]};
-    const auto pull = [&](Key key, int axis) {
-        state.button(key) = trigger_is_down(before.button(key), 0.5f * raw.axes[axis] + 0.5f);
-    };
-    pull(Key::PadLeftTrigger, GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
-    pull(Key::PadRightTrigger, GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER);
-    return state;
-}
+constexpr CodeRun button_runs[] = {{GLFW_MOUSE_BUTTON_1, GLFW_MOUSE_BUTTON_5, Key::Mouse1}};
 
 std::string to_utf8(unsigned code_point) {
     std::string text;
@@ -274,27 +194,27 @@ private:
 
     /// Fine wheels report fractions; a key press stands for each whole step they add up to.
     void add_wheel(double steps) {
-        add(WheelEvent{static_cast<float>(steps)});
         wheel_remainder_ += steps;
         const double whole = std::trunc(wheel_remainder_);
         wheel_remainder_ -= whole;
-        const Key key = whole > 0.0 ? Key::WheelUp : Key::WheelDown;
-        for (int i = 0; i < static_cast<int>(std::abs(whole)); ++i) {
-            add(KeyEvent{key, true, false});
-            add(KeyEvent{key, false, false});
-        }
+        add_wheel_events(static_cast<float>(steps), static_cast<int>(whole), events_);
+    }
+
+    void add_focus(bool focused) {
+        add(FocusEvent{focused});
+        if (!focused) gamepads_.let_go(events_);
     }
 
     void install_callbacks() {
         GLFWwindow* window = window_.get();
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-            self(w).add_key(key_of(key), action);
+            self(w).add_key(key_of_code(key, key_runs, key_lists), action);
         });
         glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code_point) {
             self(w).add(TextEvent{to_utf8(code_point)});
         });
         glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
-            self(w).add_key(key_of_button(button), action);
+            self(w).add_key(key_of_code(button, button_runs), action);
         });
         glfwSetCursorPosCallback(
             window, [](GLFWwindow* w, double x, double y) { self(w).add_motion(x, y); });
@@ -303,9 +223,8 @@ private:
         glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) {
             self(w).add(ResizeEvent{self(w).framebuffer_size()});
         });
-        glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-            self(w).add(FocusEvent{focused == GLFW_TRUE});
-        });
+        glfwSetWindowFocusCallback(
+            window, [](GLFWwindow* w, int focused) { self(w).add_focus(focused == GLFW_TRUE); });
         glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
             // Closing is the program's decision; the flag would stay set after `CloseEvent`.
             glfwSetWindowShouldClose(w, GLFW_FALSE);
@@ -313,26 +232,21 @@ private:
         });
     }
 
-    /// GLFW reports no events of controllers, so they are looked at once a frame; a press that is
-    /// shorter is missed.
+    /// GLFW reports no events of controllers: they are SDL's, which does not know this window.
     void poll_gamepads() {
+        std::vector<Event> unseen; // while another window has the keyboard
         const bool focused = glfwGetWindowAttrib(window_.get(), GLFW_FOCUSED) == GLFW_TRUE;
-        for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
-            GLFWgamepadstate raw;
-            GamepadState& before = gamepads_.at(static_cast<size_t>(joystick));
-            GamepadState now; // at rest: of one that was pulled out, or while another window has
-                              // the keyboard
-            if (focused && glfwGetGamepadState(joystick, &raw) == GLFW_TRUE)
-                now = gamepad_state_of(raw, before);
-            add_gamepad_events(before, now, events_);
-            before = now;
+        SDL_Event event;
+        while (SDL_PollEvent(&event) != 0) {
+            if (event.type == SDL_QUIT) add(CloseEvent{}); // a signal
+            gamepads_.handle(event, focused ? events_ : unseen);
         }
     }
 
     Library library_;
     std::unique_ptr<GLFWwindow, DestroyWindow> window_;
     std::vector<Event> events_;
-    std::array<GamepadState, GLFW_JOYSTICK_LAST + 1> gamepads_;
+    Gamepads gamepads_;
     glm::dvec2 cursor_{0.0};
     double wheel_remainder_ = 0.0;
     glm::ivec2 restore_position_{0};

@@ -1,106 +1,44 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The window by SDL 2. Keys are scancodes (places on the keyboard), text is SDL's text input.
 #include "common/error.h"
-#include "platform/gamepad_sdl.h"
+#include "platform/gamepad.h"
 #include "platform/window.h"
 
 #include <SDL.h>
 #include <SDL_vulkan.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace vigil::platform {
 
 namespace {
 
-using KeyPair = std::pair<SDL_Scancode, Key>;
-
-/// Scancodes that are not part of a run of letters, digits or function keys.
-constexpr KeyPair single_keys[] = {
-    {SDL_SCANCODE_0, Key::Digit0},
-    {SDL_SCANCODE_TAB, Key::Tab},
-    {SDL_SCANCODE_RETURN, Key::Enter},
-    {SDL_SCANCODE_ESCAPE, Key::Escape},
-    {SDL_SCANCODE_SPACE, Key::Space},
-    {SDL_SCANCODE_BACKSPACE, Key::Backspace},
-    {SDL_SCANCODE_CAPSLOCK, Key::CapsLock},
-    {SDL_SCANCODE_PAUSE, Key::Pause},
-    {SDL_SCANCODE_LSHIFT, Key::Shift},
-    {SDL_SCANCODE_RSHIFT, Key::Shift},
-    {SDL_SCANCODE_LCTRL, Key::Ctrl},
-    {SDL_SCANCODE_RCTRL, Key::Ctrl},
-    {SDL_SCANCODE_LALT, Key::Alt},
-    {SDL_SCANCODE_RALT, Key::Alt},
-    {SDL_SCANCODE_LGUI, Key::Super},
-    {SDL_SCANCODE_RGUI, Key::Super},
-    {SDL_SCANCODE_UP, Key::Up},
-    {SDL_SCANCODE_DOWN, Key::Down},
-    {SDL_SCANCODE_LEFT, Key::Left},
-    {SDL_SCANCODE_RIGHT, Key::Right},
-    {SDL_SCANCODE_INSERT, Key::Insert},
-    {SDL_SCANCODE_DELETE, Key::Delete},
-    {SDL_SCANCODE_PAGEUP, Key::PageUp},
-    {SDL_SCANCODE_PAGEDOWN, Key::PageDown},
-    {SDL_SCANCODE_HOME, Key::Home},
-    {SDL_SCANCODE_END, Key::End},
-    {SDL_SCANCODE_GRAVE, Key::Grave},
-    {SDL_SCANCODE_MINUS, Key::Minus},
-    {SDL_SCANCODE_EQUALS, Key::Equals},
-    {SDL_SCANCODE_LEFTBRACKET, Key::LeftBracket},
-    {SDL_SCANCODE_RIGHTBRACKET, Key::RightBracket},
-    {SDL_SCANCODE_BACKSLASH, Key::Backslash},
-    {SDL_SCANCODE_SEMICOLON, Key::Semicolon},
-    {SDL_SCANCODE_APOSTROPHE, Key::Apostrophe},
-    {SDL_SCANCODE_COMMA, Key::Comma},
-    {SDL_SCANCODE_PERIOD, Key::Period},
-    {SDL_SCANCODE_SLASH, Key::Slash},
-    {SDL_SCANCODE_KP_0, Key::Keypad0},
-    {SDL_SCANCODE_KP_ENTER, Key::KeypadEnter},
-    {SDL_SCANCODE_KP_PLUS, Key::KeypadPlus},
-    {SDL_SCANCODE_KP_MINUS, Key::KeypadMinus},
-    {SDL_SCANCODE_KP_MULTIPLY, Key::KeypadMultiply},
-    {SDL_SCANCODE_KP_DIVIDE, Key::KeypadDivide},
-    {SDL_SCANCODE_KP_PERIOD, Key::KeypadPeriod},
-};
-
-Key offset_key(Key first, int offset) {
-    return static_cast<Key>(static_cast<int>(first) + offset);
-}
-
-/// The key of a scancode in one of the runs SDL lays out in order.
-Key key_of(SDL_Scancode code) {
-    const auto in = [code](SDL_Scancode first, SDL_Scancode last) {
-        return code >= first && code <= last;
-    };
-    if (in(SDL_SCANCODE_A, SDL_SCANCODE_Z)) return offset_key(Key::A, code - SDL_SCANCODE_A);
-    if (in(SDL_SCANCODE_1, SDL_SCANCODE_9)) return offset_key(Key::Digit1, code - SDL_SCANCODE_1);
-    if (in(SDL_SCANCODE_F1, SDL_SCANCODE_F12)) return offset_key(Key::F1, code - SDL_SCANCODE_F1);
-    if (in(SDL_SCANCODE_KP_1, SDL_SCANCODE_KP_9)) {
-        return offset_key(Key::Keypad1, code - SDL_SCANCODE_KP_1);
-    }
-    const auto* found = std::ranges::find(single_keys, code, &KeyPair::first);
-    return found == std::end(single_keys) ? Key::None : found->second;
-}
-
-Key key_of_button(uint8_t button) {
-    switch (button) {
-    case SDL_BUTTON_LEFT:
-        return Key::Mouse1;
-    case SDL_BUTTON_RIGHT:
-        return Key::Mouse2;
-    case SDL_BUTTON_MIDDLE:
-        return Key::Mouse3;
-    case SDL_BUTTON_X1:
-        return Key::Mouse4;
-    case SDL_BUTTON_X2:
-        return Key::Mouse5;
-    default:
-        return Key::None;
-    }
-}
+constexpr CodeRun key_runs[] = {{SDL_SCANCODE_A, SDL_SCANCODE_Z, Key::A},
+                                {SDL_SCANCODE_1, SDL_SCANCODE_9, Key::Digit1},
+                                {SDL_SCANCODE_0, SDL_SCANCODE_0, Key::Digit0},
+                                {SDL_SCANCODE_F1, SDL_SCANCODE_F12, Key::F1},
+                                {SDL_SCANCODE_KP_1, SDL_SCANCODE_KP_9, Key::Keypad1},
+                                {SDL_SCANCODE_KP_0, SDL_SCANCODE_KP_0, Key::Keypad0}};
+constexpr int from_tab[] = {
+    SDL_SCANCODE_TAB,         SDL_SCANCODE_RETURN,       SDL_SCANCODE_ESCAPE,
+    SDL_SCANCODE_SPACE,       SDL_SCANCODE_BACKSPACE,    SDL_SCANCODE_CAPSLOCK,
+    SDL_SCANCODE_PAUSE,       SDL_SCANCODE_LSHIFT,       SDL_SCANCODE_LCTRL,
+    SDL_SCANCODE_LALT,        SDL_SCANCODE_LGUI,         SDL_SCANCODE_UP,
+    SDL_SCANCODE_DOWN,        SDL_SCANCODE_LEFT,         SDL_SCANCODE_RIGHT,
+    SDL_SCANCODE_INSERT,      SDL_SCANCODE_DELETE,       SDL_SCANCODE_PAGEUP,
+    SDL_SCANCODE_PAGEDOWN,    SDL_SCANCODE_HOME,         SDL_SCANCODE_END,
+    SDL_SCANCODE_GRAVE,       SDL_SCANCODE_MINUS,        SDL_SCANCODE_EQUALS,
+    SDL_SCANCODE_LEFTBRACKET, SDL_SCANCODE_RIGHTBRACKET, SDL_SCANCODE_BACKSLASH,
+    SDL_SCANCODE_SEMICOLON,   SDL_SCANCODE_APOSTROPHE,   SDL_SCANCODE_COMMA,
+    SDL_SCANCODE_PERIOD,      SDL_SCANCODE_SLASH};
+constexpr int from_shift[] = {SDL_SCANCODE_RSHIFT, SDL_SCANCODE_RCTRL, SDL_SCANCODE_RALT,
+                              SDL_SCANCODE_RGUI};
+constexpr int from_keypad_enter[] = {SDL_SCANCODE_KP_ENTER,  SDL_SCANCODE_KP_PLUS,
+                                     SDL_SCANCODE_KP_MINUS,  SDL_SCANCODE_KP_MULTIPLY,
+                                     SDL_SCANCODE_KP_DIVIDE, SDL_SCANCODE_KP_PERIOD};
+constexpr CodeList key_lists[] = {
+    {from_tab, Key::Tab}, {from_shift, Key::Shift}, {from_keypad_enter, Key::KeypadEnter}};
+constexpr int from_mouse1[] = {SDL_BUTTON_LEFT, SDL_BUTTON_RIGHT, SDL_BUTTON_MIDDLE, SDL_BUTTON_X1,
+                               SDL_BUTTON_X2};
+constexpr CodeList button_lists[] = {{from_mouse1, Key::Mouse1}};
 
 /// SDL's video subsystem, started and ended with the window.
 class VideoSystem {
@@ -206,13 +144,8 @@ private:
 
     void translate_wheel(const SDL_MouseWheelEvent& wheel, std::vector<Event>& events) {
         const float sign = wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -1.0f : 1.0f;
-        events.emplace_back(WheelEvent{sign * wheel.preciseY});
         const int steps = wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -wheel.y : wheel.y;
-        const Key key = steps > 0 ? Key::WheelUp : Key::WheelDown;
-        for (int i = 0; i < std::abs(steps); ++i) {
-            events.emplace_back(KeyEvent{key, true, false});
-            events.emplace_back(KeyEvent{key, false, false});
-        }
+        add_wheel_events(sign * wheel.preciseY, steps, events);
     }
 
     void translate_window(const SDL_WindowEvent& event, std::vector<Event>& events) {
@@ -240,7 +173,7 @@ private:
             break;
         case SDL_KEYDOWN:
         case SDL_KEYUP: {
-            const Key key = key_of(event.key.keysym.scancode);
+            const Key key = key_of_code(event.key.keysym.scancode, key_runs, key_lists);
             if (key == Key::None) break;
             events.emplace_back(KeyEvent{key, event.type == SDL_KEYDOWN, event.key.repeat != 0});
             break;
@@ -250,7 +183,7 @@ private:
             break;
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP: {
-            const Key key = key_of_button(event.button.button);
+            const Key key = key_of_code(event.button.button, {}, button_lists);
             if (key == Key::None) break;
             events.emplace_back(KeyEvent{key, event.type == SDL_MOUSEBUTTONDOWN, false});
             break;
@@ -273,7 +206,7 @@ private:
     }
 
     VideoSystem video_;
-    SdlGamepads gamepads_;
+    Gamepads gamepads_;
     std::unique_ptr<SDL_Window, DestroyWindow> window_;
 };
 

@@ -2,7 +2,7 @@
 // Game controllers: what sticks ask for, and SDL's events of a controller that exists only in its
 // memory.
 #include "client/play/stick.h"
-#include "platform/gamepad_sdl.h"
+#include "platform/gamepad.h"
 
 #include <SDL.h>
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ protected:
     void SetUp() override {
         SDL_SetMainReady();
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // there is no window
-        gamepads_ = std::make_unique<SdlGamepads>();
+        gamepads_ = std::make_unique<Gamepads>();
         if (SDL_WasInit(SDL_INIT_GAMECONTROLLER) == 0) GTEST_SKIP() << SDL_GetError();
         poll(); // those of this machine
     }
@@ -116,7 +116,7 @@ protected:
         SDL_JoystickSetVirtualAxis(joystick_, axis, static_cast<Sint16>(value));
     }
 
-    std::unique_ptr<SdlGamepads> gamepads_;
+    std::unique_ptr<Gamepads> gamepads_;
     int device_ = -1;
     SDL_Joystick* joystick_ = nullptr;
 };
