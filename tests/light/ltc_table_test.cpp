@@ -36,6 +36,7 @@ LtcSurface prepare(vec3 normal, vec3 view, const Brdf& brdf) {
 }
 
 TEST(LtcTable, IsWhatTheFitGives) {
+    ASSERT_EQ(ltc_table().size(), size_t{LTC_TABLE_SIZE} * LTC_TABLE_SIZE);
     for (uint row = 0; row < LTC_TABLE_SIZE; row += 6) {
         for (uint column = 3; column < LTC_TABLE_SIZE; column += 7) {
             const LtcEntry& entry = ltc_table()[row * LTC_TABLE_SIZE + column];

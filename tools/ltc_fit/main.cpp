@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// ltc_fit FILE: writes the table of src/refresh/vkpt/light/ltc_table.inc and prints how well it
+// ltc_fit FILE: writes the table src/refresh/vkpt/light/ltc_table.bin and prints how well it
 // fits. Run by hand when the GGX lobe of brdf.h or the table's layout changes; builds use the
 // committed file.
 #include "ltc_fit.h"
@@ -19,17 +19,9 @@ using namespace vigil;
 namespace {
 
 void write_table(const std::string& path, const std::vector<LtcFit>& table) {
-    std::ofstream out(path);
-    out << "// SPDX-License-Identifier: GPL-2.0-or-later\n"
-           "// Written by tools/ltc_fit: {matrix a, b, c, d}, {albedo f0 term, albedo rest}; see "
-           "shared/ltc.h.\n"
-           "// clang-format off\n";
-    for (const LtcFit& fit : table) {
-        const auto& m = fit.entry.matrix;
-        out << fmt::format(
-            "{{{{{:#.5g}f, {:#.5g}f, {:#.5g}f, {:#.5g}f}}, {{{:#.5g}f, {:#.5g}f}}}},\n", m.x, m.y,
-            m.z, m.w, fit.entry.albedo.x, fit.entry.albedo.y);
-    }
+    std::ofstream out(path, std::ios::binary);
+    for (const LtcFit& fit : table)
+        out.write(reinterpret_cast<const char*>(&fit.entry), sizeof(fit.entry));
     if (!out) fail("cannot write {}", path);
 }
 
