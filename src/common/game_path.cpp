@@ -3,17 +3,9 @@
 #include "common/game_path.h"
 
 #include "common/ascii_case.h"
+#include "common/printable.h"
 
 namespace vigil {
-
-namespace {
-
-bool is_control(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte < 32 || byte == 127;
-}
-
-} // namespace
 
 std::string_view game_path_fault(std::string_view path) {
     if (path.empty()) return "is empty";

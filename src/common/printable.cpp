@@ -8,9 +8,7 @@ namespace vigil {
 
 std::string printable(std::string_view text, std::size_t most) {
     std::string shown(text.substr(0, most));
-    std::replace_if(
-        shown.begin(), shown.end(),
-        [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }, '?');
+    std::replace_if(shown.begin(), shown.end(), is_control, '?');
     if (text.size() > most) shown += "...";
     return shown;
 }

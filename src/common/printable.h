@@ -8,6 +8,10 @@
 
 namespace vigil {
 
+inline bool is_control(char c) {
+    return static_cast<unsigned char>(c) < 32 || c == 127;
+}
+
 /// `text` with control characters (NUL, line feeds, ...) shown as '?'. What is longer than `most`
 /// bytes is cut and ends in "...".
 std::string printable(std::string_view text, std::size_t most = 300);

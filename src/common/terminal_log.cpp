@@ -2,6 +2,8 @@
 // The terminal's log sink: chooses the stream and the colour, and writes one line at a time.
 #include "common/terminal_log.h"
 
+#include "common/printable.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -19,10 +21,8 @@ void write_line(std::FILE* stream, const char* colour, std::string_view prefix,
     std::string text;
     if (coloured) text += colour;
     text += prefix;
-    for (const char c : line) {
-        const auto byte = static_cast<unsigned char>(c);
-        text += (byte < 32 && c != '\t') || byte == 127 ? '?' : c;
-    }
+    for (const char c : line)
+        text += is_control(c) && c != '\t' ? '?' : c;
     if (coloured && *colour) text += "\033[0m";
     text += '\n';
     std::fwrite(text.data(), 1, text.size(), stream);

@@ -2,13 +2,14 @@
 // The splitter of console text: one pass over the characters.
 #include "console/command_text.h"
 
+#include "common/printable.h"
+
 namespace vigil {
 
 namespace {
 
 bool is_space(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte <= 32 || byte == 127;
+    return c == ' ' || is_control(c);
 }
 
 } // namespace

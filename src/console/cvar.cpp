@@ -6,6 +6,7 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/printable.h"
 
 #include <algorithm>
 #include <charconv>
@@ -71,11 +72,8 @@ double clamp_number(const CvarInfo& info, double number) {
 }
 
 std::string check_string(const CvarInfo& info, std::string_view text) {
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 32 || byte == 127 || c == '"')
-            fail("{}: the text holds a double quote or a control character", info.name);
-    }
+    if (std::ranges::any_of(text, [](char c) { return is_control(c) || c == '"'; }))
+        fail("{}: the text holds a double quote or a control character", info.name);
     if (text.size() > cvar_max_bytes)
         fail("{}: the text has {} bytes (limit {})", info.name, text.size(), cvar_max_bytes);
     return std::string(text);
@@ -93,19 +91,6 @@ int parse_choice(const CvarInfo& info, std::string_view text) {
     return index;
 }
 
-std::string text_of(const CvarInfo& info, const std::string& value) {
-    (void)info;
-    return value;
-}
-std::string text_of(const CvarInfo& info, int value) {
-    if (info.type == CvarType::Choice) return std::string(choice_name(info.choices, value));
-    return fmt::to_string(value);
-}
-std::string text_of(const CvarInfo& info, float value) {
-    (void)info;
-    return fmt::format("{}", value);
-}
-
 } // namespace
 
 CvarRegistry& cvars() {
@@ -114,7 +99,10 @@ CvarRegistry& cvars() {
 }
 
 std::string cvar_text(const CvarInfo& info, const CvarValues& values) {
-    return std::visit([&](auto member) { return text_of(info, values.*member); }, info.member);
+    if (info.type == CvarType::Choice)
+        return std::string(
+            choice_name(info.choices, values.*std::get<int CvarValues::*>(info.member)));
+    return std::visit([&](auto member) { return fmt::format("{}", values.*member); }, info.member);
 }
 
 std::string cvar_default_text(const CvarInfo& info) {

@@ -97,8 +97,7 @@ int32_t optional_index(uint16_t value) {
 
 BspPlane read_plane(ByteReader& reader) {
     BspPlane plane;
-    plane.normal = reader.vec3();
-    plane.dist = reader.f32();
+    reader.get(plane.normal, plane.dist);
     reader.skip(4);
     // The stored type is redundant; computing it makes it true whatever the file says.
     size_t major = 0;
@@ -113,24 +112,16 @@ BspPlane read_plane(ByteReader& reader) {
 
 BspNode read_node(ByteReader& reader) {
     BspNode node;
-    node.plane = reader.u32();
-    node.children[0] = reader.i32();
-    node.children[1] = reader.i32();
+    reader.get(node.plane, node.children);
     node.mins = reader.short_vec3();
     node.maxs = reader.short_vec3();
-    node.first_face = reader.u16();
-    node.face_count = reader.u16();
+    reader.get_as<uint16_t>(node.first_face, node.face_count);
     return node;
 }
 
 BspTexInfo read_texinfo(ByteReader& reader) {
     BspTexInfo info;
-    for (glm::vec4* axis : {&info.s, &info.t}) {
-        const glm::vec3 direction = reader.vec3();
-        *axis = glm::vec4(direction, reader.f32());
-    }
-    info.flags = reader.u32();
-    info.value = reader.i32();
+    reader.get(info.s, info.t, info.flags, info.value);
     info.texture = reader.text(32);
     const int32_t next = reader.i32();
     // The game takes 0 for "none" as well: compilers that never animate leave the field zero.
@@ -140,48 +131,36 @@ BspTexInfo read_texinfo(ByteReader& reader) {
 
 BspFace read_face(ByteReader& reader, bool has_lightmaps) {
     BspFace face;
-    face.plane = reader.u16();
-    face.back_side = reader.u16() != 0;
-    face.first_edge = reader.u32();
-    face.edge_count = reader.u16();
-    face.texinfo = reader.u16();
-    for (uint8_t& style : face.styles)
-        style = reader.u8();
-    const int32_t light_offset = reader.i32();
-    face.light_offset = has_lightmaps ? light_offset : -1;
+    reader.get_as<uint16_t>(face.plane, face.back_side);
+    reader.get(face.first_edge);
+    reader.get_as<uint16_t>(face.edge_count, face.texinfo);
+    reader.get(face.styles, face.light_offset);
+    if (!has_lightmaps) face.light_offset = -1;
     return face;
 }
 
 BspLeaf read_leaf(ByteReader& reader) {
     BspLeaf leaf;
-    leaf.contents = reader.u32();
+    reader.get(leaf.contents);
     leaf.cluster = optional_index(reader.u16());
-    leaf.area = reader.u16();
+    reader.get_as<uint16_t>(leaf.area);
     leaf.mins = reader.short_vec3();
     leaf.maxs = reader.short_vec3();
-    leaf.first_leaf_face = reader.u16();
-    leaf.leaf_face_count = reader.u16();
-    leaf.first_leaf_brush = reader.u16();
-    leaf.leaf_brush_count = reader.u16();
+    reader.get_as<uint16_t>(leaf.first_leaf_face, leaf.leaf_face_count, leaf.first_leaf_brush,
+                            leaf.leaf_brush_count);
     return leaf;
 }
 
 BspModel read_model(ByteReader& reader) {
     BspModel model;
-    model.mins = reader.vec3();
-    model.maxs = reader.vec3();
-    model.origin = reader.vec3();
-    model.headnode = reader.i32();
-    model.first_face = reader.u32();
-    model.face_count = reader.u32();
+    reader.get(model.mins, model.maxs, model.origin, model.headnode, model.first_face,
+               model.face_count);
     return model;
 }
 
 BspBrush read_brush(ByteReader& reader) {
     BspBrush brush;
-    brush.first_side = reader.u32();
-    brush.side_count = reader.u32();
-    brush.contents = reader.u32();
+    reader.get(brush.first_side, brush.side_count, brush.contents);
     return brush;
 }
 
@@ -191,18 +170,21 @@ BspBrushSide read_brush_side(ByteReader& reader) {
 }
 
 BspArea read_area(ByteReader& reader) {
-    const uint32_t count = reader.u32();
-    return {reader.u32(), count};
+    BspArea area;
+    reader.get(area.portal_count, area.first_portal);
+    return area;
 }
 
 BspAreaPortal read_area_portal(ByteReader& reader) {
-    const uint32_t portal = reader.u32();
-    return {portal, reader.u32()};
+    BspAreaPortal portal;
+    reader.get(portal.portal, portal.other_area);
+    return portal;
 }
 
 std::array<uint32_t, 2> read_edge(ByteReader& reader) {
-    const uint32_t start = reader.u16();
-    return {start, reader.u16()};
+    std::array<uint32_t, 2> edge;
+    reader.get_as<uint16_t>(edge[0], edge[1]);
+    return edge;
 }
 
 /// The visibility lump starts with the number of clusters and two row offsets for each. Without

@@ -3,7 +3,6 @@
 // them.
 #include "formats/bsp_query.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -48,31 +47,6 @@ uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode) {
 
 int32_t cluster_at(const Bsp& bsp, const glm::vec3& point) {
     return bsp.leafs[leaf_at(bsp, point)].cluster;
-}
-
-void leafs_in_box(const Bsp& bsp, const glm::vec3& mins, const glm::vec3& maxs,
-                  std::vector<uint32_t>& leafs) {
-    const size_t first = leafs.size();
-    const glm::vec3 center = 0.5f * (mins + maxs), half = 0.5f * (maxs - mins);
-    std::vector<int32_t> stack{bsp.models.front().headnode};
-    while (!stack.empty()) {
-        const int32_t child = stack.back();
-        stack.pop_back();
-        if (child < 0) {
-            leafs.push_back(static_cast<uint32_t>(-1 - child));
-            continue;
-        }
-        const BspNode& node = bsp.nodes[static_cast<size_t>(child)];
-        const BspPlane& plane = bsp.planes[node.plane];
-        const float distance = glm::dot(plane.normal, center) - plane.dist;
-        const float reach = glm::dot(glm::abs(plane.normal), half);
-        if (distance >= -reach) stack.push_back(node.children[0]);
-        if (distance <= reach) stack.push_back(node.children[1]);
-    }
-    // Several branches may end in one shared leaf.
-    const auto begin = leafs.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(begin, leafs.end());
-    leafs.erase(std::unique(begin, leafs.end()), leafs.end());
 }
 
 std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo) {

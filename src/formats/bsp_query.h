@@ -29,10 +29,6 @@ uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode);
 /// Cluster of the world's leaf at a point, -1 in solid space and outside.
 int32_t cluster_at(const Bsp& bsp, const glm::vec3& point);
 
-/// Appends the world's leafs that touch the box (bounds included), each once.
-void leafs_in_box(const Bsp& bsp, const glm::vec3& mins, const glm::vec3& maxs,
-                  std::vector<uint32_t>& leafs);
-
 /// Texinfos of the animation that starts at `texinfo`: itself first, then along `next` until the
 /// chain ends or closes (parse_bsp refuses longer ones than bsp_max_animation). A length of 1 means
 /// no animation. Quake II shows two frames per second.

@@ -29,6 +29,11 @@ public:
         std::memcpy(&value, take(sizeof(T)).data(), sizeof(T));
         return value;
     }
+    /// Values one after another, as they are, or stored as T.
+    template <typename... Values> void get(Values&... values) { ((values = read<Values>()), ...); }
+    template <typename T, typename... Values> void get_as(Values&... values) {
+        ((values = read<T>()), ...);
+    }
     uint8_t u8() { return read<uint8_t>(); }
     uint16_t u16() { return read<uint16_t>(); }
     int16_t i16() { return read<int16_t>(); }

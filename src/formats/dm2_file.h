@@ -24,7 +24,6 @@ public:
     /// The next block, or nothing at the file's end. Throws Error, naming the byte, where the file
     /// is cut off or a length cannot be one.
     std::optional<Block> next();
-    void rewind() { position_ = 0; }
     const std::string& name() const { return name_; }
 
 private:

@@ -19,7 +19,6 @@ inline constexpr size_t portable_frame_entities = 128;
 inline constexpr double frames_per_second = 10.0; ///< of the server
 
 enum MessageType : uint8_t {
-    svc_bad = 0,
     svc_muzzleflash = 1,
     svc_muzzleflash2 = 2,
     svc_temp_entity = 3,
@@ -38,7 +37,6 @@ enum MessageType : uint8_t {
     svc_download = 16,
     svc_playerinfo = 17,     // inside svc_frame only
     svc_packetentities = 18, // inside svc_frame only
-    svc_deltapacketentities = 19,
     svc_frame = 20,
 };
 
@@ -53,16 +51,13 @@ enum ConfigStringIndex : uint32_t {
     CS_MAPCHECKSUM = 31,
     CS_MODELS = 32, // + model index; 1 is the level's file
     CS_SOUNDS = 288,
-    CS_IMAGES = 544,
     CS_LIGHTS = 800, // + light style
     CS_ITEMS = 1056,
     CS_PLAYERSKINS = 1312, // + player: "name\model/skin"
-    CS_GENERAL = 1568,
     config_string_count = 2080,
 };
 inline constexpr uint32_t model_count = 256;
 inline constexpr uint32_t light_style_count = 256;
-inline constexpr uint32_t player_count = 256;
 
 /// EntityState::effects.
 enum Effect : uint32_t {
@@ -79,10 +74,8 @@ enum Effect : uint32_t {
     EF_ANIM23 = 0x800,
     EF_ANIM_ALL = 0x1000,
     EF_ANIM_ALLFAST = 0x2000,
-    EF_FLIES = 0x4000,
     EF_QUAD = 0x8000,
     EF_PENT = 0x10000,
-    EF_TELEPORTER = 0x20000,
     EF_FLAG1 = 0x40000,
     EF_FLAG2 = 0x80000,
     EF_IONRIPPER = 0x100000,
@@ -93,10 +86,8 @@ enum Effect : uint32_t {
     EF_TRAP = 0x2000000,
     EF_TRACKER = 0x4000000,
     EF_DOUBLE = 0x8000000,
-    EF_SPHERETRANS = 0x10000000,
     EF_TAGTRAIL = 0x20000000,
     EF_HALF_DAMAGE = 0x40000000,
-    EF_TRACKERTRAIL = 0x80000000,
 };
 
 /// EntityState::render_flags.
@@ -105,13 +96,10 @@ enum RenderFlag : uint32_t {
     RF_SHELL_RED = 0x400,
     RF_SHELL_GREEN = 0x800,
     RF_SHELL_BLUE = 0x1000,
-    RF_SHELL_DOUBLE = 0x10000,
-    RF_SHELL_HALF_DAMAGE = 0x20000,
 };
 
 /// EntityState::event: lasts one frame.
 enum EntityEvent : uint8_t {
-    EV_ITEM_RESPAWN = 1,
     EV_PLAYER_TELEPORT = 6,
     EV_OTHER_TELEPORT = 7,
 };

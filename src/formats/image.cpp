@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Picks the decoder for a picture's bytes, and the small things every texture needs: the checker,
-// the mean colour, the fallback palette, the limits of sizes.
+// the fallback palette, the limits of sizes.
 #include "formats/image.h"
 
 #include "common/ascii_case.h"
@@ -8,9 +8,6 @@
 #include "formats/image_decoders.h"
 #include "formats/pcx.h"
 #include "formats/wal.h"
-
-#include <glm/ext/vector_double3.hpp>
-#include <glm/ext/vector_double4.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -97,21 +94,6 @@ Image checker_image() {
 float srgb_to_linear(uint8_t value) {
     static const std::array<float, 256> table = make_linear_table();
     return table[value];
-}
-
-glm::vec4 average_color(const Image& image) {
-    // Doubles: a float sum of millions of texels would lose its last digits.
-    glm::dvec3 sum(0.0);
-    double alpha_sum = 0.0;
-    for (size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
-        const double alpha = image.rgba[i + 3] / 255.0;
-        sum += alpha * glm::dvec3(srgb_to_linear(image.rgba[i]), srgb_to_linear(image.rgba[i + 1]),
-                                  srgb_to_linear(image.rgba[i + 2]));
-        alpha_sum += alpha;
-    }
-    if (alpha_sum == 0.0) return glm::vec4(0.0f);
-    const double texels = static_cast<double>(image.rgba.size() / 4);
-    return glm::vec4(glm::dvec4(sum / alpha_sum, alpha_sum / texels));
 }
 
 } // namespace vigil

@@ -3,8 +3,6 @@
 // TGA through libraries, WAL and PCX (wal.h, pcx.h). It writes no files and builds no mip levels.
 #pragma once
 
-#include <glm/vec4.hpp>
-
 #include <array>
 #include <cstdint>
 #include <span>
@@ -40,10 +38,6 @@ Palette fallback_palette();
 
 /// What a missing texture looks like: 64 x 64, dark grey and magenta squares of 8 texels.
 Image checker_image();
-
-/// Mean colour: rgb linear (not sRGB), weighted by alpha; a is the mean alpha, both 0..1. Black for
-/// a fully transparent or empty picture.
-glm::vec4 average_color(const Image& image);
 
 /// sRGB byte to linear 0..1 (IEC 61966-2-1).
 float srgb_to_linear(uint8_t value);

@@ -32,10 +32,6 @@ std::vector<std::string> texture_candidates(std::string_view name) {
     return names;
 }
 
-bool is_animated_name(std::string_view name) {
-    return frame_position(name) != std::string_view::npos;
-}
-
 std::vector<std::string> animation_names(std::string_view name,
                                          const std::function<bool(const std::string&)>& exists) {
     constexpr int max_frames = 10;

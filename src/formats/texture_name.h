@@ -15,13 +15,10 @@ namespace vigil {
 /// Replacement pictures come before the original. Backslashes become slashes, `*` and `+` are kept.
 std::vector<std::string> texture_candidates(std::string_view name);
 
-/// True for "+0name" .. "+9name" and "+aname" .. "+jname" (the alternate sequence), also below a
-/// folder ("e1u1/+0name").
-bool is_animated_name(std::string_view name);
-
-/// All frames of the sequence `name` belongs to, in order (+0, +1, ... or +a, +b, ...), asking
-/// `exists` for each name (without folder textures/ and extension) until the first that is missing.
-/// {name} where it is not animated or none exists. Quake shows ten frames per second.
+/// All frames of the sequence `name` belongs to ("+0name" .. "+9name", or "+aname" .. "+jname",
+/// also below a folder: "e1u1/+0name"), in order, asking `exists` for each name (without folder
+/// textures/ and extension) until the first that is missing. {name} where it is not animated or
+/// none exists. Quake shows ten frames per second.
 std::vector<std::string> animation_names(std::string_view name,
                                          const std::function<bool(const std::string&)>& exists);
 

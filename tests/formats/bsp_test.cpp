@@ -71,18 +71,6 @@ TEST(Bsp, PointsFindTheirLeafAndTexel) {
     EXPECT_EQ(texel_coordinates(bsp.texinfos[0], {10, 3, 9}), glm::vec2(18, 13));
 }
 
-TEST(Bsp, BoxesFindAllLeafsTheyTouch) {
-    const Bsp bsp = parse(small_level());
-    const auto leafs_of = [&](float left, float right) {
-        std::vector<uint32_t> leafs;
-        leafs_in_box(bsp, {left, 0, 0}, {right, 1, 1}, leafs);
-        return leafs;
-    };
-    EXPECT_EQ(leafs_of(1, 2), (std::vector<uint32_t>{1}));
-    EXPECT_EQ(leafs_of(-2, -1), (std::vector<uint32_t>{2}));
-    EXPECT_EQ(leafs_of(-1, 1), (std::vector<uint32_t>{1, 2}));
-}
-
 TEST(Bsp, AnimationChainsEndWhereTheyClose) {
     const Bsp bsp = parse(small_level());
     EXPECT_EQ(animation_chain(bsp, 0), (std::vector<uint32_t>{0}));

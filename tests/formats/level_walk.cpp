@@ -60,9 +60,6 @@ float walk_level(const Bsp& bsp) {
     for (const BspArea& area : bsp.areas)
         for (uint32_t i = 0; i < area.portal_count; ++i)
             sum += static_cast<float>(bsp.area_portals[area.first_portal + i].other_area);
-    std::vector<uint32_t> leafs;
-    leafs_in_box(bsp, glm::vec3(-1e6f), glm::vec3(1e6f), leafs);
-    sum += static_cast<float>(leafs.size());
     for (const Entity& entity : bsp.entities)
         sum += entity.get_vec3("origin").x + static_cast<float>(entity.get_int("spawnflags"));
     return sum + play_level(bsp);

@@ -106,9 +106,6 @@ TEST_P(RealLevels, PlayersStartInAClusterThatSeesItself) {
         const int32_t cluster = cluster_at(bsp, origin);
         ASSERT_GE(cluster, 0);
         EXPECT_TRUE(pvs.visible(cluster, cluster));
-        std::vector<uint32_t> leafs;
-        leafs_in_box(bsp, origin - 1.0f, origin + 1.0f, leafs);
-        EXPECT_NE(std::find(leafs.begin(), leafs.end(), leaf_at(bsp, origin)), leafs.end());
     }
 }
 

@@ -88,4 +88,13 @@ std::vector<shader::AliasEntry> build_alias_table(std::span<const float> weights
     return table;
 }
 
+std::vector<std::byte> alias_table_bytes(std::span<const float> weights) {
+    const std::vector<shader::AliasEntry> entries = build_alias_table(weights);
+    const auto count = static_cast<uint32_t>(entries.size());
+    const auto head = std::as_bytes(std::span(&count, 1)), rest = std::as_bytes(std::span(entries));
+    std::vector<std::byte> bytes(head.begin(), head.end());
+    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    return bytes;
+}
+
 } // namespace vigil

@@ -7,6 +7,7 @@
 
 #include "shared/alias_table.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,5 +18,8 @@ namespace vigil {
 /// draw. An entry of weight zero is never drawn; one of positive weight always can be, however
 /// small. Throws Error on negative or non-finite weights.
 std::vector<shader::AliasEntry> build_alias_table(std::span<const float> weights);
+
+/// The same as shaders/light/alias.glsl reads it: the number of entries, then the entries.
+std::vector<std::byte> alias_table_bytes(std::span<const float> weights);
 
 } // namespace vigil

@@ -3,7 +3,7 @@
 // They differ in the weight of a light.
 #pragma once
 
-#include "refresh/vkpt/light/alias_buffer.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
 #include "refresh/vkpt/light/technique.h"
 #include "shared/scene_types.h"
 
@@ -21,7 +21,7 @@ public:
 
 private:
     Weight weight_;
-    AliasBuffer table_;
+    gpu::GrowingBuffer table_;
     uint64_t revision_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/exploration_table.h"
 
+#include "refresh/vkpt/light/alias_table.h"
 #include "refresh/vkpt/scene/light_set.h"
 
 namespace vigil::vkpt {
@@ -14,7 +15,8 @@ bool ExplorationTable::prepare(const LightFrame& frame) {
     revision_ = frame.lights.revision();
     eye_ = frame.eye;
     mix_ = mix;
-    return table_.set(exploration_.weights(frame.lights.lights(), frame.eye, mix));
+    return table_.set(
+        alias_table_bytes(exploration_.weights(frame.lights.lights(), frame.eye, mix)));
 }
 
 } // namespace vigil::vkpt

@@ -4,7 +4,7 @@
 // variables pt_explore_* say, and made anew in every frame in which one of them differs.
 #pragma once
 
-#include "refresh/vkpt/light/alias_buffer.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
 #include "refresh/vkpt/light/exploration.h"
 #include "refresh/vkpt/light/technique.h"
 
@@ -12,7 +12,7 @@ namespace vigil::vkpt {
 
 class ExplorationTable {
 public:
-    explicit ExplorationTable(const gpu::Device& device) : table_(device) {}
+    explicit ExplorationTable(const gpu::Device& device) : table_(device, "alias table") {}
 
     /// Brings the table to this frame; once per frame. Returns true if the buffer was made anew.
     bool prepare(const LightFrame& frame);
@@ -20,7 +20,7 @@ public:
     const gpu::Buffer& buffer() const { return table_.buffer(); }
 
 private:
-    AliasBuffer table_;
+    gpu::GrowingBuffer table_;
     Exploration exploration_;
     ExplorationMix mix_;
     uint64_t revision_ = 0;

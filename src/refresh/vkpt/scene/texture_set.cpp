@@ -17,23 +17,11 @@ namespace vigil::vkpt {
 
 namespace {
 
-/// sRGB byte to linear, tabulated.
-const std::array<float, 256>& srgb_table() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
-        for (int i = 0; i < 256; ++i)
-            values[static_cast<size_t>(i)] = srgb_to_linear(static_cast<uint8_t>(i));
-        return values;
-    }();
-    return table;
-}
-
 std::vector<glm::vec3> linear_texels(const Image& image) {
-    const std::array<float, 256>& table = srgb_table();
     std::vector<glm::vec3> texels(size_t{image.width} * image.height);
     for (size_t i = 0; i < texels.size(); ++i)
-        texels[i] = {table[image.rgba[4 * i]], table[image.rgba[4 * i + 1]],
-                     table[image.rgba[4 * i + 2]]};
+        for (size_t channel = 0; channel < 3; ++channel)
+            texels[i][channel] = srgb_to_linear(image.rgba[4 * i + channel]);
     return texels;
 }
 
