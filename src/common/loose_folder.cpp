@@ -8,7 +8,6 @@
 #include "common/log.h"
 
 #include <algorithm>
-#include <sys/stat.h>
 #include <system_error>
 
 namespace vigil {
@@ -20,17 +19,11 @@ namespace fs = std::filesystem;
 // A game folder has some ten thousand files; more than this is somebody's whole disk.
 constexpr std::size_t max_entries = 500'000;
 
-struct FolderId {
-    dev_t device;
-    ino_t inode;
-    bool operator==(const FolderId&) const = default;
-};
-
 class LooseFolder : public ListedSource {
 public:
     explicit LooseFolder(const fs::path& folder)
         : ListedSource(folder.string(), false), folder_(folder) {
-        std::vector<FolderId> above;
+        std::vector<fs::path> above;
         list(folder_, "", above);
         if (entries_ > max_entries)
             log_warning("{}: more than {} files; the others are left out", name(), max_entries);
@@ -46,16 +39,16 @@ private:
     }
 
     // `above`: the folders from the root to here, to notice links that lead back up.
-    void list(const fs::path& folder, const std::string& prefix, std::vector<FolderId>& above) {
-        struct stat status = {};
-        if (stat(folder.c_str(), &status) != 0) return;
-        const FolderId id = {status.st_dev, status.st_ino};
-        if (std::find(above.begin(), above.end(), id) != above.end()) return;
-        above.push_back(id);
+    void list(const fs::path& folder, const std::string& prefix, std::vector<fs::path>& above) {
+        std::error_code fault;
+        const auto is_here = [&](const fs::path& other) {
+            return fs::equivalent(other, folder, fault);
+        };
+        if (std::ranges::any_of(above, is_here)) return;
+        above.push_back(folder);
 
         // In the order of names, so that of two names that differ in case the same one wins
         // everywhere.
-        std::error_code fault;
         std::vector<fs::path> entries;
         for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
              entry.increment(fault))

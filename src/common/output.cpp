@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output folders and whole-file writes through POSIX.
+// Output folders and whole-file writes.
 #include "common/output.h"
 
 #include "common/error.h"
@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <fcntl.h>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -41,48 +40,6 @@ fs::path xdg_dir(const char* variable, const char* below_home) {
     return fs::path(home) / below_home / "vigil";
 }
 
-/// A new file that disappears unless it is renamed over its target.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const fs::path& target) : target_(target) {
-        static std::atomic<unsigned> serial = 0;
-        path_ = target.parent_path() /
-                fmt::format(".{}.{}.{}.tmp", target.filename().string(), getpid(), serial++);
-        descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0) fail("{}: cannot create: {}", target.string(), reason(errno));
-    }
-    ~TemporaryFile() {
-        if (descriptor_ >= 0) close(descriptor_);
-        if (!renamed_) unlink(path_.c_str());
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    void write(std::span<const std::byte> bytes) {
-        while (!bytes.empty()) {
-            const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail("{}: cannot write: {}", target_.string(), reason(errno));
-            bytes = bytes.subspan(static_cast<std::size_t>(count));
-        }
-    }
-
-    // A full disk or quota may show only when the file is closed.
-    void commit() {
-        const int closed = close(std::exchange(descriptor_, -1));
-        if (closed != 0) fail("{}: cannot write: {}", target_.string(), reason(errno));
-        if (std::rename(path_.c_str(), target_.c_str()) != 0)
-            fail("{}: cannot replace: {}", target_.string(), reason(errno));
-        renamed_ = true;
-    }
-
-private:
-    fs::path target_;
-    fs::path path_;
-    int descriptor_ = -1;
-    bool renamed_ = false;
-};
-
 } // namespace
 
 fs::path output_path(std::string_view outdir, std::string_view name) {
@@ -110,9 +67,25 @@ fs::path cache_dir() {
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
     create_folders(path.parent_path());
-    TemporaryFile file(path);
-    file.write(bytes);
-    file.commit();
+    static std::atomic<unsigned> serial = 0;
+    const fs::path temporary =
+        path.parent_path() /
+        fmt::format(".{}.{}.{}.tmp", path.filename().string(), getpid(), serial++);
+    std::FILE* const file = std::fopen(temporary.c_str(), "wxe"); // new, and not for children
+    if (!file) fail("{}: cannot create: {}", path.string(), reason(errno));
+
+    // A full disk or quota may show only when the file is closed.
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    int fault = written ? 0 : errno;
+    if (std::fclose(file) != 0 && written) fault = errno;
+    std::string_view step = "write";
+    if (fault == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) {
+        fault = errno;
+        step = "replace";
+    }
+    if (fault == 0) return;
+    unlink(temporary.c_str());
+    fail("{}: cannot {}: {}", path.string(), step, reason(fault));
 }
 
 void write_file(const fs::path& path, std::string_view text) {

@@ -189,29 +189,6 @@ void CvarRegistry::set(std::string_view name, std::string_view text) {
     states_[row_of(name)].archived = get_text(name);
 }
 
-void CvarRegistry::set_member(const Member& member, Value value) {
-    const std::size_t row = row_of(member);
-    const CvarInfo& info = cvar_infos[row];
-
-    // Bring the value into range by the same rules as text.
-    if (auto* text = std::get_if<std::string>(&value)) *text = check_string(info, *text);
-    if (auto* number = std::get_if<float>(&value)) {
-        if (std::isnan(*number)) fail("{}: NaN is not a number", info.name);
-        // The ends of the range themselves may lie a rounding error outside it as floats.
-        const bool at_end = *number == static_cast<float>(info.minimum) ||
-                            *number == static_cast<float>(info.maximum);
-        if (!at_end) *number = static_cast<float>(clamp_number(info, *number));
-    }
-    if (auto* number = std::get_if<int>(&value)) {
-        if (info.type == CvarType::Choice && (*number < 0 || *number > info.maximum))
-            fail("{}: {} is none of {}", info.name, *number, cvar_range_text(info));
-        *number = static_cast<int>(clamp_number(info, *number));
-    }
-
-    assign(row, std::move(value));
-    states_[row].archived = cvar_text(info, values_);
-}
-
 void CvarRegistry::assign(std::size_t row, Value value) {
     std::visit(
         [&](auto member) {

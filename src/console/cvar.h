@@ -7,6 +7,7 @@
 #include "refresh/settings.h"
 
 #include <cstdint>
+#include <fmt/format.h>
 #include <span>
 #include <string>
 #include <string_view>
@@ -135,7 +136,7 @@ public:
     /// above.
     template <typename T, typename Part>
     void set(T Part::*member, const std::type_identity_t<T>& value) {
-        set_member(member, value);
+        set(cvar_infos[row_of(member)].name, fmt::format("{}", value));
     }
 
     /// Back to the default. Throws Error when the name is unknown.
@@ -166,7 +167,6 @@ private:
 
     static std::size_t row_of(const Member& member);
     static std::size_t row_of(std::string_view name);
-    void set_member(const Member& member, Value value);
     void assign(std::size_t row, Value value);
 
     CvarValues values_;

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 #include <system_error>
 
 namespace vigil {
@@ -27,23 +26,25 @@ bool is_space(char c) {
     return static_cast<unsigned char>(c) <= ' ';
 }
 
-/// Reads as many numbers as `out` holds from the start of `text`. from_chars, because a decimal
-/// point must not depend on the locale.
-bool parse_numbers(std::string_view text, std::span<double> out) {
-    for (double& value : out) {
-        while (!text.empty() && is_space(text.front()))
-            text.remove_prefix(1);
-        if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || !std::isfinite(value)) return false;
-        text.remove_prefix(static_cast<size_t>(end - text.data()));
+/// The numbers that `text` (nullptr: none) starts with; nothing where it does not, or one of them
+/// is beyond `largest`. from_chars, because a decimal point must not depend on the locale.
+template <size_t Count>
+std::optional<std::array<double, Count>> parse_numbers(const std::string* text, double largest) {
+    if (!text) return std::nullopt;
+    std::string_view rest = *text;
+    std::array<double, Count> numbers{};
+    for (double& value : numbers) {
+        while (!rest.empty() && is_space(rest.front()))
+            rest.remove_prefix(1);
+        if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
+        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+        if (error != std::errc() || !(std::abs(value) <= largest)) return std::nullopt;
+        rest.remove_prefix(static_cast<size_t>(end - rest.data()));
     }
-    return true;
+    return numbers;
 }
 
-bool fits_float(double value) {
-    return std::abs(value) <= std::numeric_limits<float>::max();
-}
+constexpr double largest_float = std::numeric_limits<float>::max();
 
 struct Token {
     std::string text;
@@ -117,18 +118,18 @@ private:
 } // namespace
 
 const std::string* Entity::find(std::string_view key) const {
-    const auto it = std::find_if(pairs.begin(), pairs.end(),
-                                 [&](const auto& pair) { return equal_nocase(pair.first, key); });
-    return it == pairs.end() ? nullptr : &it->second;
+    for (const auto& [known, value] : pairs)
+        if (equal_nocase(known, key)) return &value;
+    return nullptr;
 }
 
 void Entity::set(std::string_view key, std::string_view value) {
-    const auto it = std::find_if(pairs.begin(), pairs.end(),
-                                 [&](const auto& pair) { return equal_nocase(pair.first, key); });
-    if (it == pairs.end())
-        pairs.emplace_back(key, value);
-    else
-        it->second = value;
+    for (auto& [known, old] : pairs) {
+        if (!equal_nocase(known, key)) continue;
+        old = value;
+        return;
+    }
+    pairs.emplace_back(key, value);
 }
 
 std::string Entity::get_string(std::string_view key, std::string_view fallback) const {
@@ -137,27 +138,20 @@ std::string Entity::get_string(std::string_view key, std::string_view fallback) 
 }
 
 float Entity::get_float(std::string_view key, float fallback) const {
-    const std::string* value = find(key);
-    std::array<double, 1> number{};
-    if (!value || !parse_numbers(*value, number) || !fits_float(number[0])) return fallback;
-    return static_cast<float>(number[0]);
+    const auto number = parse_numbers<1>(find(key), largest_float);
+    return number ? static_cast<float>((*number)[0]) : fallback;
 }
 
 int Entity::get_int(std::string_view key, int fallback) const {
-    const std::string* value = find(key);
-    std::array<double, 1> number{};
-    if (!value || !parse_numbers(*value, number)) return fallback;
-    return static_cast<int>(std::clamp<double>(number[0], std::numeric_limits<int>::min(),
-                                               std::numeric_limits<int>::max()));
+    using Limits = std::numeric_limits<int>;
+    const auto number = parse_numbers<1>(find(key), std::numeric_limits<double>::max());
+    return number ? static_cast<int>(std::clamp<double>((*number)[0], Limits::min(), Limits::max()))
+                  : fallback;
 }
 
 glm::vec3 Entity::get_vec3(std::string_view key, glm::vec3 fallback) const {
-    const std::string* value = find(key);
-    std::array<double, 3> numbers{};
-    if (!value || !parse_numbers(*value, numbers) ||
-        !std::all_of(numbers.begin(), numbers.end(), fits_float))
-        return fallback;
-    return {numbers[0], numbers[1], numbers[2]};
+    const auto numbers = parse_numbers<3>(find(key), largest_float);
+    return numbers ? glm::vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]) : fallback;
 }
 
 std::vector<Entity> parse_entities(std::string_view name, std::string_view text) {

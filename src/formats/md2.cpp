@@ -29,12 +29,14 @@ constexpr uint64_t max_frame_vertices = uint64_t{1} << 24;
 constexpr uint64_t max_frame_triangles = uint64_t{1} << 26;
 constexpr float max_scale = 1048576.0f; ///< map units, also for translations
 
+/// As in the file.
 struct Header {
     uint32_t skin_width, skin_height, frame_size;
     uint32_t skins, vertices, uvs, triangles, commands, frames;
     uint32_t skins_at, uvs_at, triangles_at, frames_at;
 };
 
+/// As in the file.
 struct Triangle {
     std::array<uint16_t, 3> vertex, uv;
 };
@@ -46,11 +48,7 @@ Header read_header(std::string_view name, std::span<const uint8_t> bytes) {
     if (const uint32_t version = reader.u32(); version != md2_version)
         fail("{}: MD2 version {}, Quake II models have version {}", name, version, md2_version);
     Header header{};
-    for (uint32_t* field :
-         {&header.skin_width, &header.skin_height, &header.frame_size, &header.skins,
-          &header.vertices, &header.uvs, &header.triangles, &header.commands, &header.frames,
-          &header.skins_at, &header.uvs_at, &header.triangles_at, &header.frames_at})
-        *field = reader.u32();
+    reader.get(header);
     if (header.skin_width == 0 || header.skin_height == 0)
         fail("{}: the skin size is {} x {}", name, header.skin_width, header.skin_height);
     if (header.frames == 0) fail("{}: the model has no frames", name);
@@ -78,16 +76,13 @@ std::vector<Triangle> read_triangles(std::string_view name, std::span<const uint
                                     triangle_bytes));
     std::vector<Triangle> triangles(header.triangles);
     for (size_t i = 0; i < triangles.size(); ++i) {
-        for (uint16_t& vertex : triangles[i].vertex) {
-            vertex = reader.u16();
+        reader.get(triangles[i]);
+        for (const uint16_t vertex : triangles[i].vertex)
             if (vertex >= header.vertices)
                 fail("{}: triangle {} uses vertex {} of {}", name, i, vertex, header.vertices);
-        }
-        for (uint16_t& uv : triangles[i].uv) {
-            uv = reader.u16();
+        for (const uint16_t uv : triangles[i].uv)
             if (uv >= header.uvs)
                 fail("{}: triangle {} uses texture coordinate {} of {}", name, i, uv, header.uvs);
-        }
     }
     return triangles;
 }

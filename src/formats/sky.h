@@ -3,6 +3,7 @@
 // part of the world each one covers and how it is turned; it samples nothing (the shaders do).
 #pragma once
 
+#include <fmt/format.h>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -37,6 +38,11 @@ inline constexpr std::array<SkySide, 6> sky_sides = {{
 
 /// Files to try for one side (0..5) of the sky named in worldspawn's "sky", best first:
 /// env/<sky><suffix>.png, .jpg, .tga, .pcx.
-std::vector<std::string> sky_candidates(std::string_view sky, size_t side);
+inline std::vector<std::string> sky_candidates(std::string_view sky, size_t side) {
+    std::vector<std::string> names;
+    for (const char* extension : {"png", "jpg", "tga", "pcx"})
+        names.push_back(fmt::format("env/{}{}.{}", sky, sky_sides.at(side).suffix, extension));
+    return names;
+}
 
 } // namespace vigil

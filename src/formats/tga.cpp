@@ -29,17 +29,13 @@ struct TgaHeader {
 
 TgaHeader read_tga_header(ByteReader& reader) {
     TgaHeader header;
-    header.id_size = reader.u8();
-    header.palette_type = reader.u8();
-    header.type = reader.u8();
+    reader.get_as<uint8_t>(header.id_size, header.palette_type, header.type);
     reader.skip(2); // first palette entry
-    header.palette_length = reader.u16();
-    header.palette_bits = reader.u8();
+    reader.get_as<uint16_t>(header.palette_length);
+    reader.get_as<uint8_t>(header.palette_bits);
     reader.skip(4); // position on a screen
-    header.width = reader.u16();
-    header.height = reader.u16();
-    header.bits = reader.u8();
-    header.descriptor = reader.u8();
+    reader.get_as<uint16_t>(header.width, header.height);
+    reader.get_as<uint8_t>(header.bits, header.descriptor);
     return header;
 }
 

@@ -19,9 +19,7 @@ Wal decode_wal(std::string_view name, std::span<const uint8_t> bytes, const Pale
     const uint32_t offset = reader.u32();
     reader.skip(3 * 4); // the smaller mip levels
     wal.next_name = reader.text(32);
-    wal.flags = reader.u32();
-    wal.contents = reader.u32();
-    wal.value = reader.i32();
+    reader.get(wal.flags, wal.contents, wal.value);
     check_image_size(name, width, height);
     const size_t count = size_t{width} * height;
     if (offset > bytes.size() || count > bytes.size() - offset)

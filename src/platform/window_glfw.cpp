@@ -39,25 +39,12 @@ constexpr CodeList key_lists[] = {
 /// GLFW numbers the buttons left, right, middle, back, forward.
 constexpr CodeRun button_runs[] = {{GLFW_MOUSE_BUTTON_1, GLFW_MOUSE_BUTTON_5, Key::Mouse1}};
 
-std::string to_utf8(unsigned code_point) {
-    std::string text;
-    const auto put = [&text](unsigned value) { text.push_back(static_cast<char>(value)); };
-    if (code_point < 0x80u) {
-        put(code_point);
-    } else if (code_point < 0x800u) {
-        put(0xc0u | code_point >> 6);
-        put(0x80u | (code_point & 0x3fu));
-    } else if (code_point < 0x10000u) {
-        put(0xe0u | code_point >> 12);
-        put(0x80u | (code_point >> 6 & 0x3fu));
-        put(0x80u | (code_point & 0x3fu));
-    } else {
-        put(0xf0u | code_point >> 18);
-        put(0x80u | (code_point >> 12 & 0x3fu));
-        put(0x80u | (code_point >> 6 & 0x3fu));
-        put(0x80u | (code_point & 0x3fu));
-    }
-    return text;
+std::string to_utf8(uint32_t code_point) {
+    const std::unique_ptr<char, void (*)(void*)> text(
+        SDL_iconv_string("UTF-8", "UTF-32LE", reinterpret_cast<const char*>(&code_point),
+                         sizeof(code_point)),
+        SDL_free);
+    return text ? text.get() : "";
 }
 
 std::string last_error() {

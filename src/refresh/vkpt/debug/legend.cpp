@@ -25,15 +25,20 @@ std::string_view name_of(Technique technique) {
     return technique_infos[static_cast<size_t>(technique)].name;
 }
 
-/// A bar of counts from 1 to `most`, marked at 1, `step`, step^2, ...
-void add_count_bar(LegendContent& content, float most, float step) {
+/// A bar of the colour map.
+void add_color_bar(LegendContent& content) {
     for (int i = 0; i < bar_steps; ++i)
         content.bar.push_back(
             shader::color_map((static_cast<float>(i) + 0.5f) / static_cast<float>(bar_steps)));
+    content.classes.push_back({shader::VIEW_EMPTY, "none"});
+}
+
+/// A bar of counts from 1 to `most`, marked at 1, `step`, step^2, ...
+void add_count_bar(LegendContent& content, float most, float step) {
+    add_color_bar(content);
     for (float count = 1.0f; count <= most * 1.0001f; count *= step)
         content.marks.push_back(
             {shader::count_on_scale(count, most), fmt::format("{:.0f}", count)});
-    content.classes.push_back({shader::VIEW_EMPTY, "none"});
 }
 
 void add_depth_bar(LegendContent& content) {
@@ -48,12 +53,9 @@ void add_depth_bar(LegendContent& content) {
 
 /// A bar of densities per steradian, marked at powers of ten.
 void add_density_bar(LegendContent& content) {
-    for (int i = 0; i < bar_steps; ++i)
-        content.bar.push_back(
-            shader::color_map((static_cast<float>(i) + 0.5f) / static_cast<float>(bar_steps)));
+    add_color_bar(content);
     for (const float density : {0.1f, 1.0f, 10.0f, 100.0f})
         content.marks.push_back({shader::density_on_scale(density), fmt::format("{:g}", density)});
-    content.classes.push_back({shader::VIEW_EMPTY, "none"});
 }
 
 bool is_of_guiding(int view) {
