@@ -5,19 +5,15 @@
 #include "common/ascii_case.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "console/arguments.h"
 
-#include <charconv>
+#include <climits>
 #include <fmt/ranges.h>
 #include <utility>
 
 namespace vigil {
 
 namespace {
-
-void expect_arguments(CommandArguments arguments, std::size_t low, std::size_t high,
-                      std::string_view usage) {
-    if (arguments.size() < low || arguments.size() > high) fail("usage: {}", usage);
-}
 
 std::string_view optional_word(CommandArguments arguments) {
     return arguments.empty() ? std::string_view() : std::string_view(arguments[0]);
@@ -80,14 +76,14 @@ void add_variable_commands(CommandRegistry& commands) {
     commands.add(
         "set", "NAME VALUE: sets a variable",
         [&](CommandArguments arguments) {
-            expect_arguments(arguments, 2, 2, "set NAME VALUE");
+            check_count(arguments, 2, 2, "set NAME VALUE");
             commands.set_variable(known_cvar(arguments[0]).name, arguments[1]);
         },
         names_then_choices);
     commands.add(
         "seta", "NAME VALUE: sets a variable; for configuration files of other engines",
         [&](CommandArguments arguments) {
-            expect_arguments(arguments, 2, 2, "seta NAME VALUE");
+            check_count(arguments, 2, 2, "seta NAME VALUE");
             const CvarInfo& info = known_cvar(arguments[0]);
             commands.set_variable(info.name, arguments[1]);
             if (info.life == CvarLife::Session)
@@ -97,14 +93,14 @@ void add_variable_commands(CommandRegistry& commands) {
     commands.add(
         "reset", "NAME: sets a variable to its default",
         [&](CommandArguments arguments) {
-            expect_arguments(arguments, 1, 1, "reset NAME");
+            check_count(arguments, 1, 1, "reset NAME");
             commands.reset_variable(known_cvar(arguments[0]).name);
         },
         variable_names);
     commands.add(
         "toggle", "NAME [VALUES]: 0 to 1 and back, the next choice, or the next of VALUES",
         [&](CommandArguments arguments) {
-            expect_arguments(arguments, 1, SIZE_MAX, "toggle NAME [VALUES]");
+            check_count(arguments, 1, SIZE_MAX, "toggle NAME [VALUES]");
             const CvarInfo& info = known_cvar(arguments[0]);
             commands.set_variable(info.name, next_value(info, variables, arguments.subspan(1)));
             log_info("{} \"{}\"", info.name, variables.get_text(info.name));
@@ -113,7 +109,7 @@ void add_variable_commands(CommandRegistry& commands) {
     commands.add(
         "cvarlist", "[PREFIX]: all variables; * marks those that differ from their default",
         [&](CommandArguments arguments) {
-            expect_arguments(arguments, 0, 1, "cvarlist [PREFIX]");
+            check_count(arguments, 0, 1, "cvarlist [PREFIX]");
             const auto rows = list_cvars(optional_word(arguments));
             for (const CvarInfo* info : rows) {
                 const std::string value = variables.get_text(info->name);
@@ -130,7 +126,7 @@ void add_help_commands(CommandRegistry& commands) {
     CvarRegistry& variables = commands.variables();
 
     commands.add("cmdlist", "[PREFIX]: all commands", [&](CommandArguments arguments) {
-        expect_arguments(arguments, 0, 1, "cmdlist [PREFIX]");
+        check_count(arguments, 0, 1, "cmdlist [PREFIX]");
         int count = 0;
         for (const auto& [name, command] : commands.commands()) {
             if (!starts_nocase(name, optional_word(arguments))) continue;
@@ -141,7 +137,7 @@ void add_help_commands(CommandRegistry& commands) {
     });
 
     const auto help = [&](CommandArguments arguments) {
-        expect_arguments(arguments, 0, 1, "help [NAME]");
+        check_count(arguments, 0, 1, "help [NAME]");
         if (arguments.empty()) {
             log_info(
                 "cmdlist [PREFIX] shows commands, cvarlist [PREFIX] variables; help NAME tells "
@@ -170,25 +166,18 @@ void add_help_commands(CommandRegistry& commands) {
                  });
 }
 
-int parse_frames(std::string_view text) {
-    int frames = 0;
-    const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), frames);
-    if (fault != std::errc() || stop != text.data() + text.size() || frames < 0)
-        fail("\"{}\" is not a number of frames", text);
-    return frames;
-}
-
 void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
     commands.add("echo", "WORDS: prints them",
                  [](CommandArguments arguments) { log_info("{}", join(arguments)); });
     commands.add("wait", "[FRAMES]: what follows in the same script waits for 1 or more frames",
                  [&](CommandArguments arguments) {
-                     expect_arguments(arguments, 0, 1, "wait [FRAMES]");
-                     commands.pause_script(arguments.empty() ? 1 : parse_frames(arguments[0]));
+                     check_count(arguments, 0, 1, "wait [FRAMES]");
+                     commands.pause_script(
+                         arguments.empty() ? 1 : integer_at(arguments, 0, "FRAMES", 0, INT_MAX));
                  });
     commands.add("exec", "FILE: runs the commands of a cfg file",
                  [&commands, read = std::move(read_script)](CommandArguments arguments) {
-                     expect_arguments(arguments, 1, 1, "exec FILE");
+                     check_count(arguments, 1, 1, "exec FILE");
                      const ScriptText script = read(arguments[0]);
                      commands.insert_text(script.text, arguments[0], script.trust);
                  });
@@ -209,7 +198,7 @@ void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
                      }
                  });
     commands.add("unalias", "NAME: forgets an alias", [&](CommandArguments arguments) {
-        expect_arguments(arguments, 1, 1, "unalias NAME");
+        check_count(arguments, 1, 1, "unalias NAME");
         commands.remove_alias(arguments[0]);
     });
 }
