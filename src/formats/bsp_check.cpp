@@ -41,11 +41,6 @@ struct Record {
         if (value >= count) bad("uses {} {} of {}", target, static_cast<int32_t>(value), count);
     }
 
-    /// The same, but -1 stands for none.
-    void may_use(const char* target, int32_t value, size_t count) const {
-        if (value != -1) uses(target, static_cast<uint32_t>(value), count);
-    }
-
     /// `total` sums up the ranges of one kind.
     void uses_range(const char* target, uint32_t first, uint32_t size, size_t count,
                     uint64_t& total, uint64_t limit = bsp_max_range_total) const {
@@ -61,14 +56,11 @@ struct Record {
     void finite(const char* what, float value, float limit) const {
         if (!(std::abs(value) <= limit)) bad("has {} {}", what, value);
     }
-    void lies_on(const BspPlane& plane, uint32_t number) const {
+    /// Traces and trees need unit normals, and distances that stay finite in sums.
+    void splits_by(const BspPlane& plane, uint32_t number) const {
         const float length = glm::length(plane.normal);
         if (!(std::abs(length - 1.0f) < 0.01f))
             bad("lies on plane {}, whose normal has length {}", number, length);
-    }
-    /// Traces and trees need unit normals, and distances that stay finite in sums.
-    void splits_by(const BspPlane& plane, uint32_t number) const {
-        lies_on(plane, number);
         if (!(std::abs(plane.dist) <= 2.0f * bsp_max_coordinate))
             bad("lies on plane {}, which is {} units away", number, plane.dist);
     }
@@ -80,119 +72,123 @@ struct Record {
 
 constexpr float any_finite = std::numeric_limits<float>::max();
 
-/// Calls `check(record, value)` for each of a lump's records.
-template <typename T, typename Check>
-void for_each(const Bsp& bsp, const char* lump, const char* kind, const std::vector<T>& values,
-              Check check) {
-    for (size_t i = 0; i < values.size(); ++i)
-        check(Record{bsp, lump, kind, i}, values[i]);
-}
-
 void check_geometry(const Bsp& bsp) {
-    for_each(bsp, "planes", "plane", bsp.planes, [](const Record& record, const BspPlane& plane) {
-        record.finite("normal", plane.normal, 2.0f);
-        record.finite("distance", plane.dist, any_finite);
-    });
-    for_each(bsp, "vertices", "vertex", bsp.vertices,
-             [](const Record& record, const glm::vec3& vertex) {
-                 record.finite("coordinate", vertex, bsp_max_coordinate);
-             });
-    for_each(bsp, "edges", "edge", bsp.edges, [&](const Record& record, const auto& edge) {
-        for (const uint32_t vertex : edge)
-            record.uses("vertex", vertex, bsp.vertices.size());
-    });
-    for_each(bsp, "surface edges", "surface edge", bsp.surf_edges,
-             [&](const Record& record, int64_t edge) {
-                 if (std::abs(edge) >= static_cast<int64_t>(bsp.edges.size()))
-                     record.bad("uses edge {} of {}", edge, bsp.edges.size());
-             });
+    for (size_t i = 0; i < bsp.planes.size(); ++i) {
+        const Record record{bsp, "planes", "plane", i};
+        record.finite("normal", bsp.planes[i].normal, 2.0f);
+        record.finite("distance", bsp.planes[i].dist, any_finite);
+    }
+    for (size_t i = 0; i < bsp.vertices.size(); ++i)
+        Record{bsp, "vertices", "vertex", i}.finite("coordinate", bsp.vertices[i],
+                                                    bsp_max_coordinate);
+    for (size_t i = 0; i < bsp.edges.size(); ++i)
+        for (const uint32_t vertex : bsp.edges[i])
+            Record{bsp, "edges", "edge", i}.uses("vertex", vertex, bsp.vertices.size());
+    for (size_t i = 0; i < bsp.surf_edges.size(); ++i) {
+        const int64_t edge = bsp.surf_edges[i];
+        if (std::abs(edge) >= static_cast<int64_t>(bsp.edges.size()))
+            Record{bsp, "surface edges", "surface edge", i}.bad("uses edge {} of {}", edge,
+                                                                bsp.edges.size());
+    }
 }
 
 void check_texinfos(const Bsp& bsp) {
-    for_each(bsp, "texinfo", "texinfo", bsp.texinfos,
-             [&](const Record& record, const BspTexInfo& info) {
-                 for (size_t axis = 0; axis < 4; ++axis) {
-                     record.finite("texture axis", info.s[axis], max_texture_axis);
-                     record.finite("texture axis", info.t[axis], max_texture_axis);
-                 }
-                 record.may_use("texinfo", info.next, bsp.texinfos.size());
-             });
-    for_each(bsp, "texinfo", "texinfo", bsp.texinfos, [&](const Record& record, const auto&) {
-        if (animation_chain(bsp, static_cast<uint32_t>(record.index)).size() > bsp_max_animation)
-            record.bad("begins an animation of more than {} frames", bsp_max_animation);
-    });
+    for (size_t i = 0; i < bsp.texinfos.size(); ++i) {
+        const Record record{bsp, "texinfo", "texinfo", i};
+        const BspTexInfo& info = bsp.texinfos[i];
+        for (size_t axis = 0; axis < 4; ++axis) {
+            record.finite("texture axis", info.s[axis], max_texture_axis);
+            record.finite("texture axis", info.t[axis], max_texture_axis);
+        }
+        if (info.next != -1)
+            record.uses("texinfo", static_cast<uint32_t>(info.next), bsp.texinfos.size());
+    }
+    for (size_t i = 0; i < bsp.texinfos.size(); ++i)
+        if (animation_chain(bsp, static_cast<uint32_t>(i)).size() > bsp_max_animation)
+            Record{bsp, "texinfo", "texinfo", i}.bad("begins an animation of more than {} frames",
+                                                     bsp_max_animation);
 }
 
 void check_faces(const Bsp& bsp) {
     uint64_t corners = 0;
-    for_each(bsp, "faces", "face", bsp.faces, [&](const Record& record, const BspFace& face) {
+    for (size_t i = 0; i < bsp.faces.size(); ++i) {
+        const Record record{bsp, "faces", "face", i};
+        const BspFace& face = bsp.faces[i];
         record.uses("plane", face.plane, bsp.planes.size());
-        record.lies_on(bsp.planes[face.plane], face.plane);
+        const float length = glm::length(bsp.planes[face.plane].normal);
+        if (!(std::abs(length - 1.0f) < 0.01f))
+            record.bad("lies on plane {}, whose normal has length {}", face.plane, length);
         if (face.edge_count < 3) record.bad("has only {} edges", face.edge_count);
         record.uses_range("surface edges", face.first_edge, face.edge_count, bsp.surf_edges.size(),
                           corners, max_face_corners);
         record.uses("texinfo", face.texinfo, bsp.texinfos.size());
-        record.may_use("light map byte", face.light_offset, bsp.lightmaps.size());
-    });
+        if (face.light_offset != -1)
+            record.uses("light map byte", static_cast<uint32_t>(face.light_offset),
+                        bsp.lightmaps.size());
+    }
 }
 
 void check_leafs(const Bsp& bsp) {
     uint64_t faces = 0, brushes = 0;
-    for_each(bsp, "leafs", "leaf", bsp.leafs, [&](const Record& record, const BspLeaf& leaf) {
-        record.may_use("cluster", leaf.cluster, bsp.cluster_count);
+    for (size_t i = 0; i < bsp.leafs.size(); ++i) {
+        const Record record{bsp, "leafs", "leaf", i};
+        const BspLeaf& leaf = bsp.leafs[i];
+        if (leaf.cluster != -1)
+            record.uses("cluster", static_cast<uint32_t>(leaf.cluster), bsp.cluster_count);
         record.uses("area", leaf.area, bsp.areas.size());
         record.uses_range("leaf faces", leaf.first_leaf_face, leaf.leaf_face_count,
                           bsp.leaf_faces.size(), faces);
         record.uses_range("leaf brushes", leaf.first_leaf_brush, leaf.leaf_brush_count,
                           bsp.leaf_brushes.size(), brushes);
-    });
-    for_each(bsp, "leaf faces", "entry", bsp.leaf_faces, [&](const Record& record, uint32_t face) {
-        record.uses("face", face, bsp.faces.size());
-    });
-    for_each(bsp, "leaf brushes", "entry", bsp.leaf_brushes,
-             [&](const Record& record, uint32_t brush) {
-                 record.uses("brush", brush, bsp.brushes.size());
-             });
+    }
+    for (size_t i = 0; i < bsp.leaf_faces.size(); ++i)
+        Record{bsp, "leaf faces", "entry", i}.uses("face", bsp.leaf_faces[i], bsp.faces.size());
+    for (size_t i = 0; i < bsp.leaf_brushes.size(); ++i)
+        Record{bsp, "leaf brushes", "entry", i}.uses("brush", bsp.leaf_brushes[i],
+                                                     bsp.brushes.size());
 }
 
 void check_brushes(const Bsp& bsp) {
     uint64_t sides = 0;
-    for_each(bsp, "brushes", "brush", bsp.brushes,
-             [&](const Record& record, const BspBrush& brush) {
-                 record.uses_range("sides", brush.first_side, brush.side_count,
-                                   bsp.brush_sides.size(), sides);
-             });
-    for_each(bsp, "brush sides", "side", bsp.brush_sides,
-             [&](const Record& record, const BspBrushSide& side) {
-                 record.uses("plane", side.plane, bsp.planes.size());
-                 record.splits_by(bsp.planes[side.plane], side.plane);
-                 record.may_use("texinfo", side.texinfo, bsp.texinfos.size());
-             });
+    for (size_t i = 0; i < bsp.brushes.size(); ++i)
+        Record{bsp, "brushes", "brush", i}.uses_range("sides", bsp.brushes[i].first_side,
+                                                      bsp.brushes[i].side_count,
+                                                      bsp.brush_sides.size(), sides);
+    for (size_t i = 0; i < bsp.brush_sides.size(); ++i) {
+        const Record record{bsp, "brush sides", "side", i};
+        const BspBrushSide& side = bsp.brush_sides[i];
+        record.uses("plane", side.plane, bsp.planes.size());
+        record.splits_by(bsp.planes[side.plane], side.plane);
+        if (side.texinfo != -1)
+            record.uses("texinfo", static_cast<uint32_t>(side.texinfo), bsp.texinfos.size());
+    }
 }
 
 /// A trace may meet every brush of every leaf, and looks at all their sides.
 void check_sides_in_leafs(const Bsp& bsp) {
     uint64_t sides = 0;
-    for_each(bsp, "leafs", "leaf", bsp.leafs, [&](const Record& record, const BspLeaf& leaf) {
+    for (size_t i = 0; i < bsp.leafs.size(); ++i) {
+        const BspLeaf& leaf = bsp.leafs[i];
         for (uint32_t entry = 0; entry < leaf.leaf_brush_count; ++entry)
             sides += bsp.brushes[bsp.leaf_brushes[leaf.first_leaf_brush + entry]].side_count;
         if (sides > bsp_max_range_total)
-            record.bad("brings the sides of brushes in leafs to {}, most of them again (limit {})",
-                       sides, bsp_max_range_total);
-    });
+            Record{bsp, "leafs", "leaf", i}.bad(
+                "brings the sides of brushes in leafs to {}, most of them again (limit {})", sides,
+                bsp_max_range_total);
+    }
 }
 
 void check_areas(const Bsp& bsp) {
     uint64_t portals = 0;
-    for_each(bsp, "areas", "area", bsp.areas, [&](const Record& record, const BspArea& area) {
-        record.uses_range("area portals", area.first_portal, area.portal_count,
-                          bsp.area_portals.size(), portals);
-    });
-    for_each(bsp, "area portals", "area portal", bsp.area_portals,
-             [&](const Record& record, const BspAreaPortal& portal) {
-                 record.uses("portal", portal.portal, max_portals);
-                 record.uses("area", portal.other_area, bsp.areas.size());
-             });
+    for (size_t i = 0; i < bsp.areas.size(); ++i)
+        Record{bsp, "areas", "area", i}.uses_range("area portals", bsp.areas[i].first_portal,
+                                                   bsp.areas[i].portal_count,
+                                                   bsp.area_portals.size(), portals);
+    for (size_t i = 0; i < bsp.area_portals.size(); ++i) {
+        const Record record{bsp, "area portals", "area portal", i};
+        record.uses("portal", bsp.area_portals[i].portal, max_portals);
+        record.uses("area", bsp.area_portals[i].other_area, bsp.areas.size());
+    }
 }
 
 /// A child or headnode: a node >= 0 or a leaf -1 - index.
@@ -242,26 +238,30 @@ void check_trees(const Bsp& bsp) {
 
 void check_nodes(const Bsp& bsp) {
     uint64_t faces = 0;
-    for_each(bsp, "nodes", "node", bsp.nodes, [&](const Record& record, const BspNode& node) {
+    for (size_t i = 0; i < bsp.nodes.size(); ++i) {
+        const Record record{bsp, "nodes", "node", i};
+        const BspNode& node = bsp.nodes[i];
         record.uses("plane", node.plane, bsp.planes.size());
         record.splits_by(bsp.planes[node.plane], node.plane);
         record.uses_range("faces", node.first_face, node.face_count, bsp.faces.size(), faces);
         for (const int32_t child : node.children)
             check_child(record, bsp, child);
-    });
+    }
     check_trees(bsp);
 }
 
 void check_models(const Bsp& bsp) {
     if (bsp.models.empty()) fail("{}: models lump: empty, not even the world is there", bsp.name);
     uint64_t faces = 0;
-    for_each(bsp, "models", "model", bsp.models, [&](const Record& record, const BspModel& model) {
+    for (size_t i = 0; i < bsp.models.size(); ++i) {
+        const Record record{bsp, "models", "model", i};
+        const BspModel& model = bsp.models[i];
         record.finite("bound", model.mins, any_finite);
         record.finite("bound", model.maxs, any_finite);
         record.finite("origin", model.origin, bsp_max_coordinate);
         check_child(record, bsp, model.headnode);
         record.uses_range("faces", model.first_face, model.face_count, bsp.faces.size(), faces);
-    });
+    }
 }
 
 } // namespace
