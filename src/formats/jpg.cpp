@@ -32,7 +32,8 @@ void check_scans(std::string_view name, std::span<const uint8_t> bytes) {
 Image decode_jpg(std::string_view name, std::span<const uint8_t> bytes) {
     // The library makes up what a truncated file lacks.
     constexpr std::array<uint8_t, 2> end_of_image = {0xff, 0xd9};
-    if (std::ranges::search(bytes, end_of_image).empty())
+    if (std::search(bytes.begin(), bytes.end(), end_of_image.begin(), end_of_image.end()) ==
+        bytes.end())
         fail("{}: the JPG is truncated (no end marker)", name);
     check_scans(name, bytes);
 
