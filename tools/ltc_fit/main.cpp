@@ -49,7 +49,7 @@ void print_residuals(const std::vector<LtcFit>& table) {
 int main(int argc, char** argv) {
     CLI::App app("Fits the table of linearly transformed cosines.", "ltc_fit");
     std::string path;
-    app.add_option("FILE", path, "the table, light/ltc_table.inc")->required();
+    app.add_option("FILE", path, "the table, light/ltc_table.bin")->required();
     CLI11_PARSE(app, argc, argv)
     try {
         const std::vector<LtcFit> table = fit_ltc_table();
