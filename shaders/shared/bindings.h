@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Descriptor sets and bindings. Set 0 is the scene and the frame, the same for every pass; set 1
-// belongs to the light-sampling technique that is in use; set 2 is what was learned from the frame before. Each buffer is declared once in GLSL, in the file
-// named beside its binding.
+// Descriptor sets, bindings and specialisation constants of the path tracer's passes, by name, for C++ and GLSL. Set 0 is the scene and
+// the frame. Set 1 belongs to the light-sampling technique in use. Set 2 is what was learned from the frame before. Each buffer
+// is declared once in GLSL, in the file named beside its binding.
 #ifndef VIGIL_SHARED_BINDINGS_H
 #define VIGIL_SHARED_BINDINGS_H
 
@@ -17,16 +17,16 @@
 #define BINDING_PRIMITIVES 5     // Primitive[]: scene/scene.glsl
 #define BINDING_MATERIALS 6      // Material[]: scene/scene.glsl
 #define BINDING_TEXTURES 7       // Texture[]: scene/scene.glsl
-#define BINDING_TEXELS 8         // uint RGBA8[]: scene/scene.glsl
+#define BINDING_TEXELS 8         // uint[], RGB9E5: scene/scene.glsl
 #define BINDING_LIGHTS 9         // Light[]: scene/scene.glsl
-#define BINDING_BSP 10           // BspTreeNode[]: pathtrace/cluster.glsl
+#define BINDING_BSP 10           // BspTreeNode[]: scene/surface.glsl
 #define BINDING_LTC 11           // LTC tables: light/ltc.glsl
 #define BINDING_SURFACES 12      // PrimaryHit[]: scene/frame.glsl
 #define BINDING_RADIANCE 13      // this frame's radiance: scene/frame.glsl
-#define BINDING_ACCUMULATION 14  // running mean: post
-#define BINDING_EXPOSURE 15      // automatic exposure: post
+#define BINDING_ACCUMULATION 14  // running mean: post/picture.glsl
+#define BINDING_EXPOSURE 15      // automatic exposure: post/picture.glsl
 #define BINDING_COUNTERS 16      // FrameCounters, read back by the host: scene/frame.glsl
-#define BINDING_DISPLAY 17       // finished picture, RGBA8: post
+#define BINDING_DISPLAY 17       // finished picture, RGBA8: post/picture.glsl
 #define BINDING_DIRECTION_MAP 18 // radiance that arrives at the crosshair: debug/direction_map.glsl
 #define BINDING_ACCELERATION_STRUCTURE 19 // only with ray query: trace/trace_query.glsl
 #define SCENE_BINDING_COUNT 20
@@ -35,7 +35,7 @@
 #define CONSTANT_INSTANCES 0   // models are placed: trace/trace.glsl
 #define CONSTANT_TRANSLUCENT 1 // some faces are: trace/trace.glsl
 #define CONSTANT_GROUP_SIZE 2  // invocations of a work group: guiding
-#define CONSTANT_GUIDER_SIZE 3 // of what the guider keeps: guiding/guider.glsl
+#define CONSTANT_GUIDER_SIZE 3 // of what the guider keeps: scene/frame.glsl, guiding/guide_adapt.comp
 #define CONSTANT_SKY 8         // these six say what a level has: scene/frame.glsl
 #define CONSTANT_SUN 9
 #define CONSTANT_GLOSS 10

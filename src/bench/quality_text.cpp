@@ -154,10 +154,10 @@ std::string ratios_by_view(const QualityOptions& options, const ordered_json& ro
             text += fmt::format("  {:<12}", label_of(row));
             const Strata light = strata_of(row, "mean_ratio"), errors = strata_of(row, quantity);
             for (std::size_t view = 0; view < errors.size(); ++view) {
-                const bool told =
+                const bool is_known =
                     !misses_light({light[view]}) && !misses_light({baseline_light[view]});
                 const Comparison seen = typical_ratio({errors[view]}, {baseline_errors[view]});
-                text += fmt::format("{:>10}", number_text(told ? seen.ratio.value : unknown));
+                text += fmt::format("{:>10}", number_text(is_known ? seen.ratio.value : unknown));
             }
             text += '\n';
         }

@@ -373,27 +373,27 @@ ImDrawData* VkptRenderer::await_pipelines(ImDrawData* overlay) {
         state.seconds = watch.seconds();
         return watcher_->compiling(state);
     };
-    bool told = false;
+    bool watched = false;
     while (!compiler_.wait_for(interval)) {
-        if (!told) device_.wait_idle(); // the overlay counts the frames in flight
-        told = true;
+        if (!watched) device_.wait_idle(); // the overlay counts the frames in flight
+        watched = true;
         show_wait(report());
     }
     // A driver that compiles at the first dispatch: one shader after the other, so that the window
     // is drawn between them and answers meanwhile.
     while (const auto job = compiler_.begin_first_dispatch()) {
-        if (told) show_wait(report());
+        if (watched) show_wait(report());
         device_.wait_idle();
         {
             gpu::FirstDispatch dispatch(device_, waiting_frame_, *job);
             while (!dispatch.wait_for(interval)) {
-                told = true;
+                watched = true;
                 report();
             }
         }
         compiler_.finish_first_dispatch(job);
     }
-    if (!told) return overlay;
+    if (!watched) return overlay;
     waiting_frame_.finish();
     return report();
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Buffers: a VkBuffer with its own memory, and a growing variant for data whose size follows the
-// level or the frame.
+// A VkBuffer with its own memory. growing_buffer.h has one whose size follows its contents.
 #pragma once
 
 #include "refresh/vkpt/gpu/device.h"
