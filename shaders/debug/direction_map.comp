@@ -16,11 +16,7 @@ vec3 arriving_radiance(Surface surface, vec3 direction, inout Random random) {
     vec3 gathered = vec3(0.0);
     if (!(dot(surface.normal, direction) > 0.0)) return gathered;
     vec3 throughput = vec3(1.0);
-    Ray ray;
-    ray.origin = surface.origin;
-    ray.direction = direction;
-    ray.t_min = 0.0;
-    ray.t_max = 1e30;
+    Ray ray = Ray(surface.origin, 0.0, direction, 1e30);
     const int bounces = frame.settings.pt_bounces;
     for (int depth = 0; depth <= bounces; ++depth) {
         const RayEnd end = follow_ray(ray, depth < bounces, random);

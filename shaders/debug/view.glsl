@@ -51,26 +51,15 @@ vec3 guiding_color(int view, Surface surface, float facing) {
     }
 }
 
-/// What views ask of a surface: where it is, and whose.
-Surface seen_surface(PrimaryHit hit) {
-    Surface surface;
-    surface.position = hit.position;
-    surface.origin = hit.position;
-    surface.normal = hit.normal;
-    surface.primitive = hit.primitive;
-    surface.instance = hit.instance;
-    return surface;
-}
-
 /// Colour of a pixel, sRGB. `picture` is what it would be without a view.
 vec3 view_color(uvec2 pixel, vec3 picture) {
     const PrimaryHit hit = primary_hits[pixel.y * frame.size.x + pixel.x];
     const int view = frame.settings.pt_view;
     if (view == VIEW_NONFINITE) return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
-    const Surface surface = seen_surface(hit);
+    const Surface surface = load_primary_surface(hit);
     if (view == VIEW_CDQ) {
         const PrimaryHit middle = crosshair_hit();
-        return directions_color(pixel, picture, seen_surface(middle), middle.primitive != NONE, surface, hit.primitive != NONE);
+        return directions_color(pixel, picture, load_primary_surface(middle), middle.primitive != NONE, surface, hit.primitive != NONE);
     }
     if (hit.primitive == NONE) return vec3(0.0);
     const float facing = abs(dot(hit.normal, normalize(frame.camera_origin - hit.position)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// "Choose a light, and say what its light is worth": includes the technique this shader is compiled for. A
+// "Choose a light, and say with which weight it counts": includes the technique this shader is compiled for. A
 // technique's file defines two functions:
 //   LightChoice choose_light(Surface surface, inout Random random)   draws a light
 //   float light_probability(Surface surface, uint light)             probability with which it draws that one
@@ -40,7 +40,7 @@ LightChoice light_choice(uint light, float probability) {
 LightChoice no_light() { return weighted_choice(NONE, 0.0); }
 
 // What became of a draw.
-const uint LIGHT_UNTRIED = 0u;  // no shadow ray: no light was drawn, or the point on it is worth nothing here
+const uint LIGHT_UNTRIED = 0u;  // no shadow ray: no light was drawn, or the point on it contributes nothing here
 const uint LIGHT_SHADOWED = 1u; // something is in between
 const uint LIGHT_SEEN = 2u;
 

@@ -56,10 +56,7 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
 /// Sends a ray from `surface`. Returns false if the path ends there; `weight` is what the ray's radiance is multiplied with.
 bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray, out Guided guided) {
     BrdfValue seen;
-    ray.origin = surface.origin;
-    ray.direction = draw_direction(surface, random, seen, guided);
-    ray.t_min = 0.0;
-    ray.t_max = 1e30;
+    ray = Ray(surface.origin, 0.0, draw_direction(surface, random, seen, guided), 1e30);
     weight = vec3(0.0);
     if (!(finite_or_zero(seen.pdf) > 0.0)) return false;
     weight = finite_or_zero(seen.value / seen.pdf);

@@ -14,13 +14,13 @@ struct DirectLight {
     bool explored; // see LightChoice
 };
 
-/// A point on a light, and what it is worth unless something is in between.
+/// A point on a light, and what it contributes unless something is in between.
 struct PointChoice {
     vec3 point;
-    vec3 value; // BRDF * cosine / density: a mean over the points looked at
+    vec3 value; // BRDF * cosine / density: a mean over the points weighed
 };
 
-/// Looks at pt_light_points points of a light, spread evenly, and keeps one in proportion to what it is worth; `value` is then their
+/// Weighs pt_light_points points of a light, spread evenly, and keeps one in proportion to its contribution; `value` is then their
 /// mean, on the colour of the one kept (resampled importance sampling, Talbot et al. 2005; as the points have the light's density each, it is unbiased
 /// for any number of them). With a good choice of lights the choice of the point makes most of the noise, and is the cheaper of the two.
 PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
@@ -58,13 +58,9 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, ou
     if (!(max(value.x, max(value.y, value.z)) > 0.0)) return vec3(0.0);
 
     // From just above the surface to just above the light.
-    Ray ray;
-    ray.origin = surface.origin;
-    const vec3 to_light = offset_ray_origin(seen.point, light_normal(light)) - ray.origin;
+    const vec3 to_light = offset_ray_origin(seen.point, light_normal(light)) - surface.origin;
     const float distance = length(to_light);
-    ray.direction = to_light / max(distance, 1e-20);
-    ray.t_min = 0.0;
-    ray.t_max = distance;
+    const Ray ray = Ray(surface.origin, 0.0, to_light / max(distance, 1e-20), distance);
     outcome = trace_occluded(ray, seed) ? LIGHT_SHADOWED : LIGHT_SEEN;
     return outcome == LIGHT_SEEN ? value : vec3(0.0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the passes of the path tracer share: pixel addressing, the random streams, and storing and loading primary hits.
+// What the passes of the path tracer share: pixel addressing, the random streams, and sums of radiance.
 #ifndef VIGIL_PATHTRACE_PATH_GLSL
 #define VIGIL_PATHTRACE_PATH_GLSL
 
@@ -43,23 +43,6 @@ void add_radiance(uint index, vec3 value, bool first) {
     const bool fits = is_finite_nonnegative(sum);
     if (!fits) count_nonfinite();
     radiance[index] = fits ? sum : before;
-}
-
-Surface load_primary_surface(PrimaryHit hit) {
-    Surface surface;
-    surface.position = hit.position;
-    surface.normal = hit.normal;
-    surface.origin = offset_ray_origin(hit.position, hit.normal);
-    surface.view = normalize(frame.camera_origin - hit.position);
-    surface.brdf = brdf_lambert(hit.albedo);
-    if (HAS_GLOSS) {
-        const vec2 gloss = unpackHalf2x16(hit.gloss);
-        surface.brdf.alpha = gloss.x;
-        surface.brdf.f0 = gloss.y;
-    }
-    surface.primitive = hit.primitive;
-    surface.instance = hit.instance;
-    return surface;
 }
 
 #endif

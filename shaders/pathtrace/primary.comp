@@ -15,11 +15,8 @@ void main() {
     const vec2 inside = frame.jitter != 0u ? random_next2(random) : vec2(0.5);
     const vec2 screen = (vec2(pixel) + inside) / vec2(frame.size) * 2.0 - 1.0;
 
-    Ray ray;
-    ray.origin = frame.camera_origin;
-    ray.direction = normalize(frame.camera_forward + screen.x * frame.camera_right - screen.y * frame.camera_up);
-    ray.t_min = 0.0;
-    ray.t_max = 1e30;
+    const vec3 direction = normalize(frame.camera_forward + screen.x * frame.camera_right - screen.y * frame.camera_up);
+    const Ray ray = Ray(frame.camera_origin, 0.0, direction, 1e30);
 
     PrimaryHit stored;
     stored.primitive = NONE;

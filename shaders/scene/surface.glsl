@@ -117,6 +117,24 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     return vertex;
 }
 
+/// The surface of a primary hit, which is one (not NONE).
+Surface load_primary_surface(PrimaryHit hit) {
+    Surface surface;
+    surface.position = hit.position;
+    surface.normal = hit.normal;
+    surface.origin = offset_ray_origin(hit.position, hit.normal);
+    surface.view = normalize(frame.camera_origin - hit.position);
+    surface.brdf = brdf_lambert(hit.albedo);
+    if (HAS_GLOSS) {
+        const vec2 gloss = unpackHalf2x16(hit.gloss);
+        surface.brdf.alpha = gloss.x;
+        surface.brdf.f0 = gloss.y;
+    }
+    surface.primitive = hit.primitive;
+    surface.instance = hit.instance;
+    return surface;
+}
+
 /// PVS cluster of a surface, NONE where there is none. World triangles know theirs unless they reach through
 /// several; then, and on moving models, the level's BSP tells.
 uint surface_cluster(Surface surface) {

@@ -20,8 +20,8 @@ struct LightSample {
     vec3 point;     // on the light
     vec3 direction; // unit, from the shading point to `point`
     float distance; // map units
-    float geometry; // area * cos(light) / distance^2: what a sample is worth, 1 / pdf; 0 if it is
-                    // worth nothing
+    float geometry; // area * cos(light) / distance^2: 1 / pdf of a sample; 0 if it
+                    // contributes nothing
     float pdf;      // per steradian; 0 if the light faces away, is seen edge-on, or has no area
 };
 
