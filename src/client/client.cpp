@@ -128,10 +128,19 @@ void Client::frame() {
 
 void Client::handle_events() {
     for (const platform::Event& event : std::exchange(waiting_events_, {}))
-        input_.handle(event, captured_);
+        handle(event);
     for (const platform::Event& event : window_->poll_events())
-        input_.handle(event, captured_);
+        handle(event);
     if (input_.close_requested()) quit();
+}
+
+void Client::handle(const platform::Event& event) {
+    // However long a frame takes, each key counts in order.
+    if (console_.is_open() && !console_.has_keyboard()) draw_overlay(nullptr, 0.0);
+    if (!input_.handle(event, captured_)) return;
+    draw_overlay(nullptr, 0.0);
+    console_.run_entered();
+    menu_.run_clicked();
 }
 
 bool Client::mouse_look() const {
@@ -207,7 +216,7 @@ void Client::move_camera(double seconds) {
 
 void Client::render(double seconds) {
     console_.update(clock_.seconds());
-    ImDrawData* const drawn = headless() ? nullptr : draw_overlay(seconds, nullptr);
+    ImDrawData* const drawn = headless() ? nullptr : draw_overlay(nullptr, seconds);
     try {
         session_.render(drawn, measuring());
     } catch (const CompilationEnded&) {
@@ -215,16 +224,16 @@ void Client::render(double seconds) {
     }
 }
 
-ImDrawData* Client::draw_overlay(double seconds, const refresh::Compilation* compilation) {
+ImDrawData* Client::draw_overlay(const refresh::Compilation* compilation, double seconds) {
     const bool full = session_.level() == nullptr;
     // Views invite questions about a place (`vlcinfo`).
     const bool crosshair = !full && variables_->pt_view != 0;
     const bool stats = variables_->scr_stats != 0 && !full;
-    if (stats && compilation == nullptr)
+    if (stats && seconds > 0.0)
         stats_.add_frame(seconds, session_.recent_times(), variables_, picture_size());
     return overlay_.draw({console_, menu_, stats ? stats_.lines() : no_stats_,
                           variables_->con_notify, full, crosshair, compilation},
-                         picture_size(), clock_.seconds(), seconds);
+                         picture_size(), seconds);
 }
 
 void Client::load_map(std::string_view name) {

@@ -126,12 +126,13 @@ public:
 private:
     void frame();
     void handle_events();
+    void handle(const platform::Event& event);
     void follow_settings();
     void move_camera(double seconds);
     void drag_compare_line();
     FlightInput take_input(double seconds);
     void render(double seconds);
-    ImDrawData* draw_overlay(double seconds, const refresh::Compilation* compilation);
+    ImDrawData* draw_overlay(const refresh::Compilation* compilation, double seconds);
     ImDrawData* compiling(const refresh::Compilation& state) override;
     void tell_compilation(const refresh::Compilation& state, bool over);
     void finish_flight_frame(double seconds);

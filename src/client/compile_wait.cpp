@@ -3,7 +3,6 @@
 // is and keeps answering the window system; without one it tells a terminal. No time passes in the
 // level, and what is typed counts afterwards.
 #include "client/client.h"
-#include "client/ui/compile_view.h"
 #include "common/error.h"
 
 namespace vigil::client {
@@ -32,7 +31,7 @@ ImDrawData* Client::compiling(const refresh::Compilation& state) {
         }
         waiting_events_.push_back(std::move(event));
     }
-    return draw_overlay(0.0, over ? nullptr : &state);
+    return draw_overlay(over ? nullptr : &state, 0.0);
 }
 
 void Client::tell_compilation(const refresh::Compilation& state, bool over) {

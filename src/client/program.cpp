@@ -117,20 +117,19 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
     add_builtin_commands(commands, script_reader(files));
     add_binding_commands(commands, bindings);
 
-    // The clipboard belongs to the window, which opens once the configuration is known.
-    std::unique_ptr<platform::Window> window;
-    Console console(commands, {[&window] { return window ? window->clipboard() : std::string(); },
-                               [&window](const std::string& text) {
-                                   if (window) window->set_clipboard(text);
-                               }});
+    Console console(commands);
 
+    std::unique_ptr<platform::Window> window; // once the configuration is known
     const bool may_open_window = platform::wants_window(variables.get_text("vid_driver"));
     if (may_open_window) {
         load_configuration(commands, console.history());
         apply_early_sets(line, variables);
         window = make_window(variables);
     }
-    Overlay overlay;
+    Overlay overlay({[&window] { return window ? window->clipboard() : std::string(); },
+                     [&window](const std::string& text) {
+                         if (window) window->set_clipboard(text);
+                     }});
     const std::unique_ptr<refresh::Renderer> renderer =
         make_renderer(files, window.get(), variables.values());
 

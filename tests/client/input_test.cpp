@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Keys, bindings and where events go.
 #include "client/client.h"
+#include "client/ui_screen.h"
 #include "console/builtin_commands.h"
 
 #include <gtest/gtest.h>
@@ -107,20 +108,17 @@ protected:
     InputTest() { buttons_.add_commands(commands_); }
 
     void key(Key key, bool down, bool repeat = false) { send(KeyEvent{key, down, repeat}); }
-    void send(const Event& event) { input_.handle(event, !console_.is_open() && !menu_.is_open()); }
+    void send(const Event& event) { screen_.send(event); }
 
     CvarRegistry variables_;
     CommandRegistry commands_{variables_};
     KeyBindings bindings_;
-    Console console_{commands_};
-    Camera camera_;
     HeldButtons buttons_;
-    Menu menu_{{commands_, bindings_,
-                [] {
-                    return std::vector<std::string>{"one", "two"};
-                },
-                [] { return std::vector<std::string>(); }, [] { return glm::ivec2(640, 360); }}};
-    Input input_{commands_, bindings_, console_, menu_, camera_};
+    UiScreen screen_{commands_, bindings_};
+    Console& console_ = screen_.console;
+    Camera& camera_ = screen_.camera;
+    Menu& menu_ = screen_.menu;
+    Input& input_ = screen_.input;
 };
 
 TEST_F(InputTest, AHeldKeyFliesUntilItComesUp) {
@@ -151,7 +149,7 @@ TEST_F(InputTest, TheConsoleTakesKeysAndTextWhileOpen) {
     key(Key::W, false); // the key held before must not be stuck
     EXPECT_EQ(buttons_.take_frame().forward, 0.5f - 0.5f + 0.5f);
     EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
-    EXPECT_EQ(console_.input().text(), "ec");
+    EXPECT_EQ(console_.input(), "ec");
     key(Key::S, true);
     EXPECT_EQ(buttons_.take_frame().forward, 0.0f);
     key(Key::Escape, true);
@@ -234,7 +232,7 @@ TEST_F(InputTest, ControlLettersEditInsteadOfTyping) {
     send(TextEvent{"w"}); // some systems report the letter as well
     key(Key::W, false);
     key(Key::Ctrl, false);
-    EXPECT_EQ(console_.input().text(), "one ");
+    EXPECT_EQ(console_.input(), "one ");
 }
 
 TEST_F(InputTest, LosingTheKeyboardReleasesEverything) {

@@ -2,6 +2,7 @@
 // The menu by its keys: pages, values, keys of actions; and the lines of scr_stats.
 #include "client/client.h"
 #include "client/ui/menu_items.h"
+#include "client/ui_screen.h"
 #include "console/builtin_commands.h"
 
 #include <gtest/gtest.h>
@@ -26,10 +27,7 @@ protected:
         menu_.open();
     }
 
-    void press(Key key, int times = 1) {
-        for (int i = 0; i < times; ++i)
-            menu_.key(key, false);
-    }
+    void press(Key key, int times = 1) { screen_.press(key, times); }
     void choose(std::string_view label) {
         press(Key::Home);
         for (size_t i = 0; i < menu_.rows().size() && chosen().label != label; ++i)
@@ -42,25 +40,15 @@ protected:
     CommandRegistry commands_{variables_};
     KeyBindings bindings_;
     std::vector<std::string> ran_;
-    Menu menu_{{commands_, bindings_,
-                [] {
-                    return std::vector<std::string>{"one", "two words", "three"};
-                },
-                [] { return std::vector<std::string>(); }, [] { return glm::ivec2(640, 360); }}};
+    UiScreen screen_{commands_, bindings_};
+    Menu& menu_ = screen_.menu;
 };
 
 TEST_F(MenuTest, EveryItemIsOfAVariableOrCommandThatExists) {
-    Console console(commands_);
-    for (const MenuItem& item : menu_items()) {
-        EXPECT_FALSE(item.label.empty());
-        if (item.kind == MenuItemKind::Variable) {
-            EXPECT_NE(find_cvar(item.target), nullptr) << item.target;
-        }
-    }
     for (const MenuRow& row : menu_.rows())
         EXPECT_FALSE(row.about.empty()) << row.label;
     // Every action that a default key has by its own command.
-    for (const MenuAction& action : menu_actions()) {
+    for (const MenuRow& action : key_rows(bindings_)) {
         bool bound = false;
         for (int i = 0; i < platform::key_count; ++i)
             bound |= bindings_.command(static_cast<Key>(i)) == action.command;
@@ -112,9 +100,14 @@ TEST_F(MenuTest, StepsThroughPresetsAndResolutions) {
     press(Key::Left);
     EXPECT_EQ(ran_, (std::vector<std::string>{"pt_preset accurate", "resolution 854 480",
                                               "resolution 480 270"}));
-    EXPECT_EQ(next_menu_size({320, 180}, -1), glm::ivec2(320, 180));
-    EXPECT_EQ(next_menu_size({1000, 700}, 1), glm::ivec2(1280, 720));
-    EXPECT_EQ(next_menu_size({3840, 2160}, 1), glm::ivec2(3840, 2160));
+    const auto size_row = [&](glm::ivec2 size) {
+        const std::vector<MenuRow> rows = main_rows(variables_, size);
+        return *std::ranges::find(rows, "Resolution", &MenuRow::label);
+    };
+    EXPECT_EQ(size_row({320, 180}).less, "resolution 320 180");
+    EXPECT_EQ(size_row({1000, 700}).less, "resolution 960 540");
+    EXPECT_EQ(size_row({1000, 700}).more, "resolution 1280 720");
+    EXPECT_EQ(size_row({3840, 2160}).more, "resolution 3840 2160");
     choose("Quality"); // of one's own
     variables_.set("pt_spp", "3");
     EXPECT_EQ(chosen().value, "own");
@@ -160,7 +153,7 @@ TEST_F(MenuTest, KeysAreGivenAndTaken) {
     EXPECT_EQ(chosen().value, "e, SPACE, PAD_A");
     press(Key::Enter);
     EXPECT_TRUE(menu_.wants_key());
-    menu_.key(Key::Enter, true); // still held
+    screen_.send(platform::KeyEvent{Key::Enter, true, true}); // still held
     EXPECT_TRUE(menu_.wants_key());
     press(Key::Down); // any key, also one that the menu uses
     EXPECT_FALSE(menu_.wants_key());
@@ -178,33 +171,66 @@ TEST_F(MenuTest, KeysAreGivenAndTaken) {
 }
 
 TEST_F(MenuTest, TheMousePointsAndClicks) {
-    const auto row_of = [&](std::string_view label) {
-        const std::vector<MenuRow> rows = menu_.rows();
-        return static_cast<size_t>(std::ranges::find(rows, label, &MenuRow::label) - rows.begin());
+    // The rows lie somewhere in the middle of the window, one below the other.
+    const auto choose_by_mouse = [&](std::string_view label) {
+        for (float y = 0.0f; y < 360.0f && chosen().label != label; y += 1.0f) {
+            screen_.point({320.0f, y});
+            screen_.draw(0.1);
+        }
+        ASSERT_EQ(chosen().label, label);
     };
-    const size_t guide = row_of("Rays guided by");
-    menu_.set_places({{guide, {10, 10}, {110, 30}}, {guide + 1, {10, 30}, {110, 50}}});
-    menu_.point({50, 20}); // where it appears
+    screen_.draw(0.1);
+    screen_.point({320.0f, 180.0f}); // where it appears
+    screen_.draw(0.1);
     EXPECT_EQ(menu_.chosen(), 0u);
-    menu_.point({50, 21});
+    choose_by_mouse("Rays guided by");
+    press(Key::Mouse1);
+    EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
+    const size_t guide = menu_.chosen();
+    screen_.point({2.0f, 180.0f}); // beside it
+    screen_.draw(0.1);
     EXPECT_EQ(menu_.chosen(), guide);
     press(Key::Mouse1);
     EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
-    menu_.point({500, 20}); // beside it
-    EXPECT_EQ(menu_.chosen(), guide);
-    press(Key::Mouse1);
-    EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
-    menu_.point({50, 30});
+    choose_by_mouse("Paths per pixel");
     EXPECT_EQ(menu_.chosen(), guide + 1);
     press(Key::Mouse2);
     EXPECT_FALSE(menu_.is_open());
     // A click chooses what it hits, also where the mouse has not moved.
     menu_.open();
-    menu_.set_places({{guide, {10, 10}, {110, 30}}});
-    menu_.point({50, 20});
+    choose_by_mouse("Rays guided by");
+    press(Key::Home);
     press(Key::Mouse1);
     EXPECT_EQ(menu_.chosen(), guide);
     EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
+    // A page is opened by a click; what lies under the mouse then is not chosen by itself.
+    choose_by_mouse("Keys");
+    press(Key::Mouse1);
+    EXPECT_EQ(menu_.title(), "Keys");
+    screen_.draw(0.1);
+    EXPECT_EQ(menu_.chosen(), 0u);
+    // A mouse button is a key that an action can have.
+    press(Key::Enter);
+    press(Key::Mouse1);
+    EXPECT_EQ(bindings_.command(Key::Mouse1), "+forward");
+}
+
+TEST_F(MenuTest, SmallWindowsShowThePartWithTheChoice) {
+    screen_.size = {160, 90};
+    const size_t last = menu_.rows().size() - 1;
+    press(Key::End);
+    screen_.draw(0.1);
+    screen_.point({80.0f, 30.0f});
+    screen_.draw(0.1);
+    screen_.point({80.0f, 40.0f});
+    screen_.draw(0.1);
+    EXPECT_GT(menu_.chosen(), last - 5);
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {20, 10}, {3840, 2160}}) {
+        screen_.size = size;
+        EXPECT_NE(screen_.draw(0.1), nullptr);
+        press(Key::Up);
+    }
+    EXPECT_TRUE(menu_.is_open());
 }
 
 TEST_F(MenuTest, TheChoiceGoesRound) {

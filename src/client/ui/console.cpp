@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The console's reaction to keys: editing, history, completion, running the line.
+// The console's reaction to keys: what Dear ImGui's text field does not do itself, which is
+// history, completion, running the line, and a few keys of shells.
 #include "client/ui/console.h"
 
+#include "client/ui/widget_input.h"
 #include "common/ascii_case.h"
 
-#include <algorithm>
-#include <iterator>
+#include <imgui.h>
+
 #include <utility>
 
 namespace vigil::client {
@@ -15,12 +17,22 @@ using platform::Key;
 namespace {
 
 constexpr int page_lines = 10;
+constexpr int all_lines = Console::line_capacity * 100; // wrapped ones too
 constexpr std::string_view prompt = "]"; // Quake's, in front of lines that were typed
+
+/// Puts `text` in the place of bytes [begin, end).
+void replace(ImGuiInputTextCallbackData& data, size_t begin, size_t end, const std::string& text) {
+    data.DeleteChars(static_cast<int>(begin), static_cast<int>(end - begin));
+    data.InsertChars(static_cast<int>(begin), text.c_str());
+}
+
+std::string_view before_cursor(const ImGuiInputTextCallbackData& data) {
+    return {data.Buf, static_cast<size_t>(data.CursorPos)};
+}
 
 } // namespace
 
-Console::Console(CommandRegistry& commands, Clipboard clipboard)
-    : commands_(commands), clipboard_(std::move(clipboard)) {
+Console::Console(CommandRegistry& commands) : commands_(commands) {
     sink_ = add_log_sink([this](Severity severity, std::string_view line) {
         const std::lock_guard lock(arrived_mutex_);
         arrived_.push_back({severity, std::string(line), 0.0});
@@ -44,176 +56,151 @@ void Console::update(double time_s) {
 
 void Console::append(Severity severity, std::string_view text, double time_s) {
     lines_.push_back({severity, std::string(text), time_s});
-    // What a person has scrolled to stays in place while new lines come in below.
-    if (scrolled_ > 0) ++scrolled_;
     while (lines_.size() > line_capacity)
         lines_.pop_front();
-    scroll(0);
 }
 
 void Console::set_open(bool open) {
     open_ = open;
-    if (!open) scrolled_ = 0;
-}
-
-void Console::scroll(int lines) {
-    const int most = std::max(0, static_cast<int>(lines_.size()) - 1);
-    scrolled_ = static_cast<size_t>(std::clamp(static_cast<int>(scrolled_) + lines, 0, most));
+    has_keyboard_ = false;
+    if (!open) follows_ = true;
 }
 
 void Console::clear_lines() {
     update(time_s_);
     lines_.clear();
-    scrolled_ = 0;
-}
-
-void Console::text(std::string_view utf8) {
-    input_.insert(utf8);
-    refresh_suggestions();
+    follows_ = true;
 }
 
 void Console::key(Key key, bool ctrl, bool shift) {
-    const EditUnit unit = ctrl ? EditUnit::Word : EditUnit::Character;
+    shift_ = shift;
+    switch (key) {
+    case Key::PageUp:
+        return scroll(page_lines);
+    case Key::PageDown:
+        return scroll(-page_lines);
+    case Key::Home:
+    case Key::End:
+        if (ctrl) return scroll(key == Key::Home ? all_lines : -all_lines);
+        break;
+    case Key::Enter:
+    case Key::KeypadEnter:
+    case Key::Tab:
+    case Key::Up:
+    case Key::Down:
+        edit_key_ = key;
+        return;
+    case Key::U:
+    case Key::K:
+        if (ctrl) edit_key_ = key;
+        return;
+    case Key::L:
+        if (ctrl) clear_lines();
+        return;
+    case Key::A:
+        return ctrl ? press_widget_key(Key::Home, false, false) : void();
+    case Key::E:
+        return ctrl ? press_widget_key(Key::End, false, false) : void();
+    case Key::W:
+        return ctrl ? press_widget_key(Key::Backspace, true, false) : void();
+    default:
+        break;
+    }
+    press_widget_key(key, ctrl, shift);
+}
+
+void Console::on_frame(ImGuiInputTextCallbackData& data) {
+    if (!std::exchange(has_keyboard_, true)) { // all is selected then
+        data.ClearSelection();
+        data.CursorPos = data.BufTextLen;
+    }
+    const std::string before(input());
+    const size_t cursor_before = std::exchange(cursor_, static_cast<size_t>(data.CursorPos));
+    const bool chosen = edit(data);
+    cursor_ = static_cast<size_t>(data.CursorPos);
+    if (!chosen && (before != data.Buf || cursor_ != cursor_before))
+        refresh_suggestions(before_cursor(data));
+}
+
+/// Returns true when the suggestions are to stay as they are.
+bool Console::edit(ImGuiInputTextCallbackData& data) {
+    const Key key = std::exchange(edit_key_, Key::None);
+    const auto length = static_cast<size_t>(data.BufTextLen);
     switch (key) {
     case Key::Enter:
     case Key::KeypadEnter:
-        submit();
-        break;
-    case Key::Tab:
-        complete(shift ? -1 : 1);
+        entered_.emplace_back(data.Buf);
+        replace(data, 0, length, "");
         break;
     case Key::Up:
-        input_.set(history_.older(input_.text()));
+        replace(data, 0, length, history_.older(data.Buf));
         break;
     case Key::Down:
-        input_.set(history_.newer(input_.text()));
+        replace(data, 0, length, history_.newer(data.Buf));
         break;
-    case Key::PageUp:
-        scroll(page_lines);
-        break;
-    case Key::PageDown:
-        scroll(-page_lines);
-        break;
+    case Key::Tab:
+        complete(data, shift_ ? -1 : 1);
+        return true;
+    case Key::U:
+        replace(data, 0, cursor_, "");
+        return false;
+    case Key::K:
+        replace(data, cursor_, length, "");
+        return false;
     default:
-        edit_key(key, ctrl, unit);
-        break;
+        return false;
     }
-    if (key == Key::Up || key == Key::Down) {
-        suggestions_.clear();
-        chosen_ = -1;
+    drop_suggestions();
+    return true;
+}
+
+void Console::run_entered() {
+    for (const std::string& line : std::exchange(entered_, {})) {
+        follows_ = true;
+        history_.add(line);
+        // Lines that wait in the queue belong above the echo.
+        update(time_s_);
+        append(Severity::Info, fmt::format("{}{}", prompt, line), time_s_);
+        commands_.execute_text(line);
     }
 }
 
-void Console::edit_key(Key key, bool ctrl, EditUnit unit) {
-    const std::string before = input_.text();
-    const size_t cursor_before = input_.cursor();
-    switch (key) {
-    case Key::Left:
-        input_.move_left(unit);
-        break;
-    case Key::Right:
-        input_.move_right(unit);
-        break;
-    case Key::Home:
-        ctrl ? scroll(static_cast<int>(lines_.size())) : input_.move_home();
-        break;
-    case Key::End:
-        ctrl ? scroll(-static_cast<int>(lines_.size())) : input_.move_end();
-        break;
-    case Key::Backspace:
-        input_.erase_back(unit);
-        break;
-    case Key::Delete:
-        input_.erase_forward(unit);
-        break;
-    default:
-        if (!ctrl) return;
-        switch (key) {
-        case Key::A:
-            input_.move_home();
-            break;
-        case Key::E:
-            input_.move_end();
-            break;
-        case Key::W:
-            input_.erase_back(EditUnit::Word);
-            break;
-        case Key::U:
-            input_.erase_to_start();
-            break;
-        case Key::K:
-            input_.erase_to_end();
-            break;
-        case Key::C:
-            clipboard_.write(input_.text());
-            break;
-        case Key::V:
-            input_.insert(clipboard_.read());
-            break;
-        case Key::L:
-            clear_lines();
-            break;
-        default:
-            return;
-        }
-    }
-    if (input_.text() != before || input_.cursor() != cursor_before) refresh_suggestions();
-}
-
-void Console::submit() {
-    const std::string line = input_.text();
-    input_.set("");
-    suggestions_.clear();
-    chosen_ = -1;
-    scrolled_ = 0;
-    history_.add(line);
-    // Lines that wait in the queue belong above the echo.
-    update(time_s_);
-    append(Severity::Info, fmt::format("{}{}", prompt, line), time_s_);
-    commands_.execute_text(line);
-}
-
-void Console::complete(int step) {
+void Console::complete(ImGuiInputTextCallbackData& data, int step) {
     // A second Tab walks through the candidates that the first one left.
     if (chosen_ < 0) {
-        const Completion found =
-            commands_.complete(std::string_view(input_.text()).substr(0, input_.cursor()));
-        refresh_suggestions();
-        if (found.candidates.empty()) return;
-        if (found.candidates.size() == 1) {
-            input_.replace_before_cursor(found.word_begin, found.candidates[0]);
-            input_.insert(" ");
-            refresh_suggestions();
+        const Completion found = commands_.complete(before_cursor(data));
+        const std::string typed(before_cursor(data).substr(found.word_begin));
+        const bool only = found.candidates.size() == 1;
+        if (only || found.common.size() > typed.size()) {
+            replace(data, found.word_begin, cursor_,
+                    only ? found.candidates[0] + " " : found.common);
+            refresh_suggestions(before_cursor(data));
             return;
         }
-        const std::string typed =
-            input_.text().substr(found.word_begin, input_.cursor() - found.word_begin);
-        if (found.common.size() > typed.size()) {
-            input_.replace_before_cursor(found.word_begin, found.common);
-            refresh_suggestions();
-            return;
-        }
+        refresh_suggestions(before_cursor(data));
         chosen_ = step > 0 ? -1 : 0;
     }
     const int count = static_cast<int>(suggestions_.size());
     if (count == 0) return;
     chosen_ = (chosen_ + step + count) % count;
-    input_.replace_before_cursor(word_begin_, suggestions_[static_cast<size_t>(chosen_)].word);
+    replace(data, word_begin_, cursor_, suggestions_[static_cast<size_t>(chosen_)].word);
 }
 
-void Console::refresh_suggestions() {
+void Console::drop_suggestions() {
     suggestions_.clear();
     chosen_ = -1;
-    const std::string_view typed = std::string_view(input_.text()).substr(0, input_.cursor());
+}
+
+void Console::refresh_suggestions(std::string_view typed) {
+    drop_suggestions();
     if (typed.find_first_not_of(' ') == std::string_view::npos) return;
     Completion found = commands_.complete(typed);
     word_begin_ = found.word_begin;
     const std::string_view before = typed.substr(0, found.word_begin);
     const size_t last_end = before.find_last_not_of(' ');
     const bool first_word = last_end == std::string_view::npos || before[last_end] == ';';
-    for (std::string& word : found.candidates) {
+    for (std::string& word : found.candidates)
         suggestions_.push_back(describe(std::move(word), first_word));
-    }
 }
 
 Suggestion Console::describe(std::string word, bool first_word) const {

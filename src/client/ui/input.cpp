@@ -2,6 +2,8 @@
 // Routing of events.
 #include "client/ui/input.h"
 
+#include "client/ui/widget_input.h"
+
 #include <cmath>
 #include <variant>
 
@@ -31,9 +33,12 @@ Input::Input(CommandRegistry& commands, KeyBindings& bindings, Console& console,
              Camera& camera)
     : commands_(commands), bindings_(bindings), console_(console), menu_(menu), camera_(camera) {}
 
-void Input::handle(const platform::Event& event, bool mouse_look) {
+bool Input::handle(const platform::Event& event, bool mouse_look) {
     mouse_look_ = mouse_look;
     std::visit([this](const auto& what) { on(what); }, event);
+    return (console_.is_open() || menu_.is_open()) &&
+           (std::holds_alternative<KeyEvent>(event) ||
+            std::holds_alternative<platform::TextEvent>(event));
 }
 
 void Input::run(const ScriptText& script) {
@@ -44,6 +49,11 @@ void Input::on(const KeyEvent& event) {
     if (event.key == Key::Ctrl) ctrl_ = event.down;
     if (event.key == Key::Shift) shift_ = event.down;
     if (event.key == Key::Alt) alt_ = event.down;
+    if (event.key == Key::Mouse1 &&
+        (!event.down || console_.is_open() || (menu_.is_open() && !menu_.wants_key()))) {
+        hold_widget(event.down);
+        if (event.down) return;
+    }
     if (event.down) {
         press(event);
         return;
@@ -91,11 +101,11 @@ void Input::press_escape() {
 }
 
 void Input::on(const platform::TextEvent& event) {
-    if (console_.is_open() && !skip_text_ && !ctrl_) console_.text(event.text);
+    if (console_.is_open() && !skip_text_ && !ctrl_) type_into_widget(event.text);
 }
 
 void Input::on(const platform::MouseMoveEvent& event) {
-    if (menu_.is_open()) menu_.point(event.position);
+    if (menu_.is_open() || console_.is_open()) point_at_widgets(event.position);
     if (!mouse_look_) return;
     if (dragging_ && commands_.variables()->pt_compare != 0) {
         dragged_ += event.delta.x;

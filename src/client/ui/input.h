@@ -21,8 +21,9 @@ public:
     Input(CommandRegistry& commands, KeyBindings& bindings, Console& console, Menu& menu,
           Camera& camera);
 
-    /// Mouse motion turns the camera only while `mouse_look` is on.
-    void handle(const platform::Event& event, bool mouse_look);
+    /// Mouse motion turns the camera only while `mouse_look` is on. Returns true when the console
+    /// or menu has a key or characters that count in their next frame.
+    bool handle(const platform::Event& event, bool mouse_look);
 
     /// The person asked to close the window.
     bool close_requested() const { return close_requested_; }

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "client/ui/menu.h"
 
-#include "client/ui/menu_items.h"
-#include "console/command_text.h"
-#include "console/preset.h"
-
-#include <fmt/format.h>
+#include "client/ui/theme.h"
+#include "client/ui/widget_input.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,226 +11,98 @@ namespace vigil::client {
 
 using platform::Key;
 using platform::key_count;
-using platform::key_name;
 
 namespace {
 
-constexpr int page_rows = 10; // that PGUP and PGDN move by
-
-int present_preset_index(const CvarRegistry& variables) {
-    const Preset* present = present_preset(variables);
-    return present != nullptr ? static_cast<int>(present - presets().data()) : -1;
-}
-
-/// From a mixture of one's own, the step goes to the first or the last.
-std::string next_preset(int direction, const CvarRegistry& variables) {
-    const int count = static_cast<int>(presets().size());
-    const int now = present_preset_index(variables);
-    const int next = now < 0 ? (direction > 0 ? 0 : count - 1) : (now + direction + count) % count;
-    return std::string(presets()[static_cast<size_t>(next)].name);
-}
-
-MenuRow preset_row(const MenuItem& item, const CvarRegistry& variables) {
-    const Preset* present = present_preset(variables);
-    if (present == nullptr)
-        return {std::string(item.label), "own", true,
-                "settings of your own; left and right choose a preset"};
-    return {std::string(item.label), std::string(present->name), true,
-            std::string(present->purpose)};
-}
-
-std::string keys_of(std::string_view command, const KeyBindings& bindings) {
-    std::string keys;
-    for (int i = 0; i < key_count; ++i) {
-        const Key key = static_cast<Key>(i);
-        if (bindings.command(key) != command) continue;
-        keys += (keys.empty() ? "" : ", ") + std::string(key_name(key));
-    }
-    return keys;
-}
+constexpr int page_rows = 10;      // that PGUP and PGDN move by
+constexpr float about_rows = 2.0f; // room for the sentence below the rows
+constexpr float letters_wide = 46.0f;
 
 } // namespace
 
-Menu::Menu(MenuParts parts) : parts_(std::move(parts)) {}
-
 void Menu::open() {
     pages_.clear();
-    pointer_.reset();
-    open_page(PageKind::Main);
+    point_at_widgets(nowhere); // where the mouse appears it chooses nothing
+    open_page(MenuPage::Main);
 }
 
 void Menu::close() {
     pages_.clear();
-    places_.clear();
     wants_key_ = false;
+    clicked_.reset();
 }
 
-void Menu::open_page(PageKind kind) {
-    Page page{kind, {}, 0};
-    if (kind == PageKind::Levels) page.names = parts_.levels();
-    if (kind == PageKind::Demos) page.names = parts_.demos();
-    pages_.push_back(std::move(page));
-    places_.clear(); // until it was drawn
-}
-
-void Menu::back() {
-    pages_.pop_back();
-    places_.clear();
-}
-
-std::string Menu::title() const {
-    switch (pages_.back().kind) {
-    case PageKind::Main:
-        return "Vigil";
-    case PageKind::Levels:
-        return "Levels";
-    case PageKind::Demos:
-        return "Demos";
-    case PageKind::Keys:
-        return "Keys";
-    }
-    return {};
-}
-
-size_t Menu::row_count() const {
-    const Page& page = pages_.back();
-    switch (page.kind) {
-    case PageKind::Main:
-        return menu_items().size();
-    case PageKind::Keys:
-        return menu_actions().size();
-    case PageKind::Levels:
-    case PageKind::Demos:
-        return page.names.size();
-    }
-    return 0;
+void Menu::open_page(MenuPage kind) {
+    pages_.push_back({kind});
+    if (kind == MenuPage::Levels) pages_.back().names = parts_.levels();
+    if (kind == MenuPage::Demos) pages_.back().names = parts_.demos();
+    moved_ = true;
 }
 
 std::vector<MenuRow> Menu::rows() const {
     const Page& page = pages_.back();
-    const CvarRegistry& variables = parts_.commands.variables();
-    std::vector<MenuRow> rows;
-    for (const std::string& name : page.names)
-        rows.push_back({name, "", false, ""});
-    if (page.kind == PageKind::Keys) {
-        for (const MenuAction& action : menu_actions())
-            rows.push_back({std::string(action.label), keys_of(action.command, parts_.bindings),
-                            false, "ENTER: one more key for this; BACKSPACE: no key"});
-        if (wants_key_) rows[page.chosen].value = "press a key (ESCAPE: none)";
+    switch (page.kind) {
+    case MenuPage::Main:
+        return main_rows(parts_.commands.variables(), parts_.picture_size());
+    case MenuPage::Keys:
+        return key_rows(parts_.bindings);
+    case MenuPage::Levels:
+        return name_rows("map", page.names);
+    case MenuPage::Demos:
+        return name_rows("demomap", page.names);
     }
-    if (page.kind != PageKind::Main) return rows;
-    for (const MenuItem& item : menu_items()) {
-        switch (item.kind) {
-        case MenuItemKind::Variable:
-            rows.push_back({std::string(item.label), menu_value(item.target, variables), true,
-                            menu_about(item.target, variables)});
-            break;
-        case MenuItemKind::Preset:
-            rows.push_back(preset_row(item, variables));
-            break;
-        case MenuItemKind::Resolution: {
-            const glm::ivec2 size = parts_.picture_size();
-            rows.push_back({std::string(item.label), fmt::format("{} x {}", size.x, size.y), true,
-                            std::string(item.about)});
-            break;
-        }
-        default:
-            rows.push_back({std::string(item.label), "", false, std::string(item.about)});
-            break;
-        }
-    }
-    return rows;
+    return {};
 }
 
 void Menu::move(int rows) {
-    const int count = static_cast<int>(row_count());
+    const int count = static_cast<int>(this->rows().size());
     if (count == 0) return;
     size_t& chosen = pages_.back().chosen;
     const int wanted = static_cast<int>(chosen) + rows;
     // Single steps go round; leaps end at the ends.
     chosen = static_cast<size_t>(rows == 1 || rows == -1 ? (wanted + count) % count
                                                          : std::clamp(wanted, 0, count - 1));
-}
-
-void Menu::step(int direction) {
-    if (pages_.back().kind != PageKind::Main) return;
-    const MenuItem& item = menu_items()[chosen()];
-    CommandRegistry& commands = parts_.commands;
-    const CvarRegistry& variables = commands.variables();
-    switch (item.kind) {
-    case MenuItemKind::Variable:
-        commands.set_variable(item.target, next_menu_value(item.target, direction, variables));
-        break;
-    case MenuItemKind::Preset:
-        commands.execute_text("pt_preset " + next_preset(direction, variables));
-        break;
-    case MenuItemKind::Resolution: {
-        const glm::ivec2 size = next_menu_size(parts_.picture_size(), direction);
-        commands.execute_text(fmt::format("resolution {} {}", size.x, size.y));
-        break;
-    }
-    default:
-        break;
-    }
+    moved_ = true;
 }
 
 void Menu::enter() {
-    const Page& page = pages_.back();
-    if (page.chosen >= row_count()) return; // an empty page
-    if (page.kind == PageKind::Keys) {
+    const std::vector<MenuRow> all = rows();
+    if (chosen() >= all.size()) return; // an empty page
+    const MenuRow& row = all[chosen()];
+    if (row.page) {
+        open_page(*row.page);
+    } else if (pages_.back().kind == MenuPage::Keys) {
         wants_key_ = true;
-        return;
-    }
-    if (page.kind != PageKind::Main) {
-        const char* command = page.kind == PageKind::Levels ? "map" : "demomap";
-        const std::string text =
-            fmt::format("{} {}", command, quote_word(page.names.at(page.chosen)));
+    } else if (!row.more.empty()) {
+        parts_.commands.execute_text(row.more);
+    } else {
         close();
-        parts_.commands.execute_text(text);
-        return;
-    }
-    const MenuItem& item = menu_items()[page.chosen];
-    switch (item.kind) {
-    case MenuItemKind::Command:
-        close();
-        parts_.commands.execute_text(item.target);
-        break;
-    case MenuItemKind::Levels:
-        open_page(PageKind::Levels);
-        break;
-    case MenuItemKind::Demos:
-        open_page(PageKind::Demos);
-        break;
-    case MenuItemKind::Keys:
-        open_page(PageKind::Keys);
-        break;
-    default:
-        step(1);
-        break;
+        parts_.commands.execute_text(row.command);
     }
 }
 
-void Menu::take_key(Key key) {
+void Menu::bind_chosen(Key key) {
     wants_key_ = false;
     // These two always open menu and console.
     if (key == Key::Escape || key == Key::Grave) return;
-    parts_.bindings.bind(key, menu_actions()[chosen()].command);
+    parts_.bindings.bind(key, rows()[chosen()].command);
 }
 
 void Menu::unbind_chosen() {
-    if (pages_.back().kind != PageKind::Keys) return;
-    for (int i = 0; i < key_count; ++i) {
-        const Key key = static_cast<Key>(i);
-        if (parts_.bindings.command(key) == menu_actions()[chosen()].command)
-            parts_.bindings.bind(key, "");
-    }
+    if (pages_.back().kind != MenuPage::Keys) return;
+    const std::string command = rows()[chosen()].command;
+    for (int i = 0; i < key_count; ++i)
+        if (parts_.bindings.command(static_cast<Key>(i)) == command)
+            parts_.bindings.bind(static_cast<Key>(i), "");
 }
 
 void Menu::key(Key key, bool repeat) {
     if (wants_key_) {
-        if (!repeat) take_key(key);
+        if (!repeat) bind_chosen(key);
         return;
     }
+    const std::vector<MenuRow> all = rows();
+    const int count = static_cast<int>(all.size());
     switch (key) {
     case Key::Up:
     case Key::PadUp:
@@ -251,15 +120,17 @@ void Menu::key(Key key, bool repeat) {
     case Key::PadRightShoulder:
         return move(page_rows);
     case Key::Home:
-        return move(-static_cast<int>(row_count()));
+        return move(-count);
     case Key::End:
-        return move(static_cast<int>(row_count()));
+        return move(count);
     case Key::Left:
     case Key::PadLeft:
-        return step(-1);
+        if (count > 0) parts_.commands.execute_text(all[chosen()].less);
+        return;
     case Key::Right:
     case Key::PadRight:
-        return step(1);
+        if (count > 0) parts_.commands.execute_text(all[chosen()].more);
+        return;
     default:
         break;
     }
@@ -270,16 +141,12 @@ void Menu::key(Key key, bool repeat) {
     case Key::Space:
     case Key::PadA:
         return enter();
-    case Key::Mouse1:
-        if (const std::optional<size_t> row = row_under_pointer()) {
-            pages_.back().chosen = *row;
-            enter();
-        }
-        return;
     case Key::Escape:
     case Key::PadB:
     case Key::Mouse2:
-        return back();
+        pages_.pop_back();
+        moved_ = true;
+        return;
     case Key::Backspace:
     case Key::Delete:
     case Key::PadX:
@@ -291,19 +158,65 @@ void Menu::key(Key key, bool repeat) {
     }
 }
 
-std::optional<size_t> Menu::row_under_pointer() const {
-    if (!pointer_) return std::nullopt;
-    for (const MenuPlace& row : places_)
-        if (glm::all(glm::greaterThanEqual(*pointer_, row.low)) &&
-            glm::all(glm::lessThan(*pointer_, row.high)))
-            return row.row;
-    return std::nullopt;
+void Menu::run_clicked() {
+    const std::optional<size_t> row = std::exchange(clicked_, std::nullopt);
+    if (!row || !is_open()) return;
+    pages_.back().chosen = *row;
+    enter();
 }
 
-void Menu::point(glm::vec2 place) {
-    const bool appeared = !std::exchange(pointer_, place).has_value();
-    if (appeared || wants_key_) return;
-    if (const std::optional<size_t> row = row_under_pointer()) pages_.back().chosen = *row;
+void Menu::draw_rows(const std::vector<MenuRow>& rows) {
+    const ImVec2 mouse_way = ImGui::GetIO().MouseDelta;
+    size_t& chosen = pages_.back().chosen;
+    if (rows.empty()) ImGui::TextDisabled("there are none");
+    if (!ImGui::BeginTable("rows", 2, ImGuiTableFlags_SizingFixedFit)) return;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const MenuRow& row = rows[i];
+        ImGui::TableNextColumn();
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(row.label.c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns))
+            clicked_ = i;
+        ImGui::PopID();
+        if (!wants_key_ && ImGui::IsItemHovered() && (mouse_way.x != 0.0f || mouse_way.y != 0.0f))
+            chosen = i;
+        if (i == chosen && std::exchange(moved_, false)) ImGui::SetScrollHereY();
+        ImGui::TableNextColumn();
+        if (i == chosen && wants_key_)
+            ImGui::TextColored(theme::warning, "press a key (ESCAPE: none)");
+        else
+            ImGui::TextColored(theme::value,
+                               row.more.empty() ? "%s"
+                               : i == chosen    ? "< %s >"
+                                                : "  %s",
+                               row.value.c_str());
+    }
+    ImGui::EndTable();
+}
+
+void Menu::draw() {
+    const std::vector<MenuRow> all = rows();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float letter = ImGui::CalcTextSize("0").x;
+    const float row_height = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    ImGui::SetNextWindowPos({screen.x / 2.0f, screen.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(screen.x, letters_wide * letter), 0.0f});
+    ImGui::Begin("menu", nullptr, theme::sheet);
+    ImGui::TextColored(theme::edge, "%s", std::string(title()).c_str());
+    // Small windows show a part of the rows, with the chosen one.
+    const float about_height = about_rows * row_height;
+    const float above = ImGui::GetCursorPosY();
+    const float rows_height =
+        std::min(static_cast<float>(std::max<size_t>(all.size(), 1)) * row_height + 1.0f,
+                 screen.y - 2.0f * above + row_height - about_height);
+    ImGui::BeginChild("rows", {0.0f, std::max(rows_height, row_height)});
+    draw_rows(all);
+    ImGui::EndChild();
+    ImGui::BeginChild("about", {0.0f, about_height});
+    ImGui::PushTextWrapPos(0.0f);
+    if (chosen() < all.size()) ImGui::TextDisabled("%s", all[chosen()].about.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndChild();
+    ImGui::End();
 }
 
 } // namespace vigil::client

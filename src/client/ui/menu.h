@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The menu: levels, demos, and what a player may want to change, without a console. It is one table
-// of items (menu_items.cpp); each page is rows of text with one of them chosen, moved by keyboard,
-// mouse or game controller. menu_view.h draws it.
+// The menu: levels, demos, and what a player may want to change, without a console. Each page is
+// rows (menu_items.h) in a window of Dear ImGui, one of them chosen by keyboard, mouse or game
+// controller.
 #pragma once
 
-#include "client/ui/key_bindings.h"
+#include "client/ui/menu_items.h"
 #include "console/command.h"
 #include "platform/key.h"
 
 #include <functional>
-#include <glm/glm.hpp>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace vigil::client {
@@ -27,24 +24,9 @@ struct MenuParts {
     std::function<glm::ivec2()> picture_size;         ///< pixels
 };
 
-/// A line of a page.
-struct MenuRow {
-    std::string label;
-    std::string value;   ///< beside the label; may be empty
-    bool steps = false;  ///< left and right change the value
-    std::string about{}; ///< a sentence on what is chosen
-};
-
-/// Where a row was drawn, in pixels.
-struct MenuPlace {
-    size_t row = 0;
-    glm::vec2 low{0.0f};
-    glm::vec2 high{0.0f};
-};
-
 class Menu {
 public:
-    explicit Menu(MenuParts parts);
+    explicit Menu(MenuParts parts) : parts_(std::move(parts)) {}
 
     bool is_open() const { return !pages_.empty(); }
     /// Opens on the first page.
@@ -53,43 +35,36 @@ public:
 
     /// A key went down (`repeat`: is held). Not to be called while it is closed.
     void key(platform::Key key, bool repeat);
-    /// The mouse went to this place, in pixels. The first place after open() is where it appears,
-    /// and chooses nothing.
-    void point(glm::vec2 place);
-    /// Where the rows are, after they were drawn.
-    void set_places(std::vector<MenuPlace> places) { places_ = std::move(places); }
+    /// Draws it into the middle of the current ImGui frame, and lets the mouse choose.
+    void draw();
+    /// Does what was clicked in the last frame, if anything.
+    void run_clicked();
 
-    std::string title() const;
+    std::string_view title() const { return menu_page_title(pages_.back().kind); }
     std::vector<MenuRow> rows() const;
     size_t chosen() const { return pages_.back().chosen; }
     /// Waits for the key that the chosen row shall have.
     bool wants_key() const { return wants_key_; }
-    /// The first row that was drawn last, so that a long page scrolls no more than it must.
-    size_t first_shown() const { return places_.empty() ? 0 : places_.front().row; }
 
 private:
-    enum class PageKind { Main, Levels, Demos, Keys };
     struct Page {
-        PageKind kind = PageKind::Main;
+        MenuPage kind = MenuPage::Main;
         std::vector<std::string> names{}; // of levels and demos
         size_t chosen = 0;
     };
 
-    void open_page(PageKind kind);
-    void back();
+    void open_page(MenuPage kind);
     void move(int rows);
-    void step(int direction);
     void enter();
-    void take_key(platform::Key key);
+    void bind_chosen(platform::Key key);
     void unbind_chosen();
-    size_t row_count() const;
-    std::optional<size_t> row_under_pointer() const;
+    void draw_rows(const std::vector<MenuRow>& rows);
 
     MenuParts parts_;
     std::vector<Page> pages_; // the one that is shown last
-    std::vector<MenuPlace> places_;
-    std::optional<glm::vec2> pointer_; // none before it has moved
     bool wants_key_ = false;
+    bool moved_ = false; // by keys, since it was drawn
+    std::optional<size_t> clicked_;
 };
 
 } // namespace vigil::client

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "client/ui/menu_items.h"
 
+#include "console/command_text.h"
+#include "console/preset.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,26 +13,41 @@ namespace vigil::client {
 
 namespace {
 
+/// A row that runs a command or opens a page, or, with neither, one of a variable, or of what is
+/// not one variable: presets and the window's size.
+struct MenuItem {
+    std::string_view label;
+    std::string_view variable{};
+    std::string_view about{};
+    std::string_view command{};
+    std::optional<MenuPage> page{};
+};
+
 constexpr MenuItem items[] = {
-    {MenuItemKind::Command, "Continue", "", "back to the level"},
-    {MenuItemKind::Levels, "Levels", "", "walk through a level"},
-    {MenuItemKind::Demos, "Demos", "", "watch a recorded walk"},
-    {MenuItemKind::Preset, "Quality", "", ""},
-    {MenuItemKind::Variable, "Lights chosen by", "pt_nee"},
-    {MenuItemKind::Variable, "Rays guided by", "pt_guide"},
-    {MenuItemKind::Variable, "Paths per pixel", "pt_spp"},
-    {MenuItemKind::Variable, "Compare with", "pt_compare"},
-    {MenuItemKind::Variable, "Show", "pt_view"},
-    {MenuItemKind::Variable, "Statistics", "scr_stats"},
-    {MenuItemKind::Resolution, "Resolution", "", "size of the window: smaller is faster"},
-    {MenuItemKind::Variable, "Full screen", "vid_fullscreen"},
-    {MenuItemKind::Variable, "Mouse speed", "sensitivity"},
-    {MenuItemKind::Variable, "Invert mouse", "m_invert"},
-    {MenuItemKind::Variable, "Stick speed", "joy_look"},
-    {MenuItemKind::Keys, "Keys", "", "which key does what"},
-    {MenuItemKind::Command, "Console", "toggleconsole",
-     "all variables and commands; its key is ` as well"},
-    {MenuItemKind::Command, "Quit", "quit", "ends the program"},
+    {"Continue", {}, "back to the level"},
+    {"Levels", {}, "walk through a level", {}, MenuPage::Levels},
+    {"Demos", {}, "watch a recorded walk", {}, MenuPage::Demos},
+    {"Quality", "pt_preset"},
+    {"Lights chosen by", "pt_nee"},
+    {"Rays guided by", "pt_guide"},
+    {"Paths per pixel", "pt_spp"},
+    {"Compare with", "pt_compare"},
+    {"Show", "pt_view"},
+    {"Statistics", "scr_stats"},
+    {"Resolution", "resolution"},
+    {"Full screen", "vid_fullscreen"},
+    {"Mouse speed", "sensitivity"},
+    {"Invert mouse", "m_invert"},
+    {"Stick speed", "joy_look"},
+    {"Keys", {}, "which key does what", {}, MenuPage::Keys},
+    {"Console", {}, "all variables and commands; its key is ` as well", "toggleconsole"},
+    {"Quit", {}, "ends the program", "quit"},
+};
+
+/// Something that keys do.
+struct MenuAction {
+    std::string_view label;
+    std::string_view command;
 };
 
 constexpr MenuAction actions[] = {
@@ -88,26 +106,9 @@ std::string next_number(const CvarInfo& info, double now, int direction) {
                                           : fmt::format("{:.6g}", next);
 }
 
-} // namespace
-
-std::span<const MenuItem> menu_items() {
-    return items;
-}
-
-std::span<const MenuAction> menu_actions() {
-    return actions;
-}
-
-std::string menu_value(std::string_view variable, const CvarRegistry& variables) {
-    const std::string text = variables.get_text(variable);
-    if (is_switch(*find_cvar(variable))) return text == "0" ? "off" : "on";
-    return text;
-}
-
-std::string next_menu_value(std::string_view variable, int direction,
-                            const CvarRegistry& variables) {
-    const CvarInfo& info = *find_cvar(variable);
-    const std::string text = variables.get_text(variable);
+/// The value of a variable that is `direction` (1 or -1) further; choices and switches go round,
+/// numbers end.
+std::string next_value(const CvarInfo& info, const std::string& text, int direction) {
     if (info.type == CvarType::Choice) {
         const int count = choice_count(info.choices);
         return fmt::to_string((choice_index(info.choices, text) + direction + count) % count);
@@ -116,25 +117,109 @@ std::string next_menu_value(std::string_view variable, int direction,
     return next_number(info, std::stod(text), direction);
 }
 
-std::string menu_about(std::string_view variable, const CvarRegistry& variables) {
-    std::string_view name = variable == "pt_nee" ? choice_name(technique_choices, variables->pt_nee)
-                                                 : std::string_view();
-    if (variable == "pt_compare" && variables->pt_compare != 0)
-        name = choice_name(compare_choices, variables->pt_compare);
-    if (const std::optional<TechniqueRow> row = find_technique_row(name))
+/// What the present value is: the technique's own words, else the variable's help.
+std::string about_value(const CvarInfo& info, const std::string& text) {
+    const bool technique = info.name == "pt_nee" || (info.name == "pt_compare" && text != "none");
+    if (const std::optional<TechniqueRow> row = find_technique_row(technique ? text : ""))
         return std::string(technique_infos[static_cast<size_t>(row->technique)].help);
-    return std::string(find_cvar(variable)->help);
+    return std::string(info.help);
 }
 
-glm::ivec2 next_menu_size(glm::ivec2 size, int direction) {
-    if (direction > 0) {
-        const auto* larger =
-            std::ranges::find_if(sizes, [&](glm::ivec2 other) { return other.x > size.x; });
-        return larger == std::end(sizes) ? size : *larger;
+MenuRow variable_row(const MenuItem& item, const CvarRegistry& variables) {
+    const CvarInfo& info = *find_cvar(item.variable);
+    const std::string text = variables.get_text(item.variable);
+    const auto command = [&](int direction) {
+        return fmt::format("{} {}", item.variable, next_value(info, text, direction));
+    };
+    return {.label = std::string(item.label),
+            .value = !is_switch(info) ? text
+                     : text == "0"    ? "off"
+                                      : "on",
+            .about = about_value(info, text),
+            .less = command(-1),
+            .more = command(1)};
+}
+
+MenuRow preset_row(const MenuItem& item, const CvarRegistry& variables) {
+    const Preset* present = present_preset(variables);
+    const int count = static_cast<int>(presets().size());
+    // From a mixture of one's own, the step goes to the first or the last.
+    const auto command = [&](int direction) {
+        const int now = present != nullptr ? static_cast<int>(present - presets().data())
+                                           : (direction > 0 ? -1 : 0);
+        const auto next = static_cast<size_t>((now + direction + count) % count);
+        return fmt::format("pt_preset {}", presets()[next].name);
+    };
+    return {.label = std::string(item.label),
+            .value = std::string(present != nullptr ? present->name : "own"),
+            .about = std::string(present != nullptr
+                                     ? present->purpose
+                                     : "settings of your own; left and right choose a preset"),
+            .less = command(-1),
+            .more = command(1)};
+}
+
+MenuRow size_row(const MenuItem& item, glm::ivec2 size) {
+    const auto* larger =
+        std::ranges::find_if(sizes, [&](glm::ivec2 other) { return other.x > size.x; });
+    const auto* smaller = std::ranges::lower_bound(sizes, size.x, {}, &glm::ivec2::x);
+    const auto command = [](glm::ivec2 next) {
+        return fmt::format("resolution {} {}", next.x, next.y);
+    };
+    return {.label = std::string(item.label),
+            .value = fmt::format("{} x {}", size.x, size.y),
+            .about = "size of the window: smaller is faster",
+            .less = command(smaller == std::begin(sizes) ? size : smaller[-1]),
+            .more = command(larger == std::end(sizes) ? size : *larger)};
+}
+
+} // namespace
+
+std::string_view menu_page_title(MenuPage page) {
+    constexpr std::string_view titles[] = {"Vigil", "Levels", "Demos", "Keys"};
+    return titles[static_cast<size_t>(page)];
+}
+
+std::vector<MenuRow> main_rows(const CvarRegistry& variables, glm::ivec2 window_size) {
+    std::vector<MenuRow> rows;
+    for (const MenuItem& item : items) {
+        if (item.variable == "pt_preset")
+            rows.push_back(preset_row(item, variables));
+        else if (item.variable == "resolution")
+            rows.push_back(size_row(item, window_size));
+        else if (!item.variable.empty())
+            rows.push_back(variable_row(item, variables));
+        else
+            rows.push_back({.label = std::string(item.label),
+                            .about = std::string(item.about),
+                            .command = std::string(item.command),
+                            .page = item.page});
     }
-    for (auto other = std::rbegin(sizes); other != std::rend(sizes); ++other)
-        if (other->x < size.x) return *other;
-    return size;
+    return rows;
+}
+
+std::vector<MenuRow> name_rows(std::string_view command, std::span<const std::string> names) {
+    std::vector<MenuRow> rows;
+    for (const std::string& name : names)
+        rows.push_back({.label = name, .command = fmt::format("{} {}", command, quote_word(name))});
+    return rows;
+}
+
+std::vector<MenuRow> key_rows(const KeyBindings& bindings) {
+    std::vector<MenuRow> rows;
+    for (const MenuAction& action : actions) {
+        std::string keys;
+        for (int i = 0; i < platform::key_count; ++i) {
+            const auto key = static_cast<platform::Key>(i);
+            if (bindings.command(key) == action.command)
+                keys += (keys.empty() ? "" : ", ") + std::string(key_name(key));
+        }
+        rows.push_back({.label = std::string(action.label),
+                        .value = std::move(keys),
+                        .about = "ENTER: one more key for this; BACKSPACE: no key",
+                        .command = std::string(action.command)});
+    }
+    return rows;
 }
 
 } // namespace vigil::client

@@ -1,54 +1,39 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The menu's items as data: what its first page changes or does, and the actions that keys can be
-// given.
+// The menu's rows: what its first page changes or does, the names of levels and demos, and the
+// actions that keys can be given. Each is a label, a value, and the commands that it runs.
 #pragma once
 
+#include "client/ui/key_bindings.h"
 #include "console/cvar.h"
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vigil::client {
 
-enum class MenuItemKind {
-    Command,    ///< runs `target`, after the menu has closed
-    Levels,     ///< a page of them
-    Demos,      ///< the same
-    Keys,       ///< the same, of menu_actions()
-    Variable,   ///< steps through the values of the variable `target`
-    Preset,     ///< steps through pt_preset
-    Resolution, ///< steps through sizes of the window
+enum class MenuPage { Main, Levels, Demos, Keys };
+
+std::string_view menu_page_title(MenuPage page);
+
+/// A line of a page.
+struct MenuRow {
+    std::string label;
+    std::string value{};               ///< beside the label; may be empty
+    std::string about{};               ///< a sentence on what is chosen
+    std::string less{}, more{};        ///< change the value: commands of left and right
+    std::string command{};             ///< for ENTER, after the menu has closed; what a key runs
+    std::optional<MenuPage> page = {}; ///< that ENTER opens
 };
 
-struct MenuItem {
-    MenuItemKind kind;
-    std::string_view label;
-    std::string_view target{};
-    std::string_view about{}; ///< "": a variable's own help text
-};
-
-std::span<const MenuItem> menu_items();
-
-/// Something that keys do.
-struct MenuAction {
-    std::string_view label;
-    std::string_view command;
-};
-
-std::span<const MenuAction> menu_actions();
-
-/// What a row shows of a variable: a choice by name; a switch as on or off.
-std::string menu_value(std::string_view variable, const CvarRegistry& variables);
-/// The value that is `direction` (1 or -1) further, as text; choices and switches go round, numbers
-/// end. Paths per pixel double.
-std::string next_menu_value(std::string_view variable, int direction,
-                            const CvarRegistry& variables);
-/// A sentence about the present value: what the technique is, else the variable's help.
-std::string menu_about(std::string_view variable, const CvarRegistry& variables);
-
-/// The next larger or smaller of the usual sizes; the same where there is none.
-glm::ivec2 next_menu_size(glm::ivec2 size, int direction);
+/// The first page, for a window of this size in pixels.
+std::vector<MenuRow> main_rows(const CvarRegistry& variables, glm::ivec2 window_size);
+/// A row for each name, which is the command's word.
+std::vector<MenuRow> name_rows(std::string_view command, std::span<const std::string> names);
+/// A row for each action, with its keys.
+std::vector<MenuRow> key_rows(const KeyBindings& bindings);
 
 } // namespace vigil::client

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The layer over the picture, drawn with Dear ImGui: console, notices, menu and statistics. It owns
-// the ImGui context; the renderer's backend turns the draw data into pixels. ImGui gets no input
-// here: the console edits its line itself (line_editor.h says why), and the menu is told where its
-// rows are.
+// The layer over the picture: console, notices, menu, statistics and the wait for a compiler, all
+// of them windows of Dear ImGui. It owns the ImGui context; widget_input.h brings what is typed and
+// clicked, and the renderer's backend turns the draw data into pixels.
 #pragma once
 
 #include "client/ui/console.h"
 #include "client/ui/menu.h"
 #include "refresh/refresh.h"
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -18,10 +18,16 @@ struct ImGuiContext;
 
 namespace vigil::client {
 
+/// Reads and writes the system's clipboard.
+struct Clipboard {
+    std::function<std::string()> read = [] { return std::string(); };
+    std::function<void(const std::string&)> write = [](const std::string&) {};
+};
+
 /// What is to be seen over the picture.
 struct OverlayContent {
-    const Console& console;
-    Menu& menu;                            ///< is told where its rows are
+    Console& console;
+    Menu& menu;
     const std::vector<std::string>& stats; ///< lines in the corner; may be none
     double notify_s = 0.0;                 ///< new lines stay so long while the console is closed
     bool full = false;      ///< the open console covers everything: there is no level
@@ -34,19 +40,28 @@ class Overlay {
 public:
     /// Makes the context current and builds its fonts. Make it before the renderer and keep it
     /// longer.
-    Overlay();
+    explicit Overlay(Clipboard clipboard = {});
     ~Overlay();
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
     /// Lets the console slide for `seconds` towards open or closed and draws it for a framebuffer
-    /// of `size` pixels, and all else that there is to see. Returns null when that is nothing; the
-    /// data is valid until the next call.
-    ImDrawData* draw(const OverlayContent& content, glm::ivec2 size, double time_s, double seconds);
+    /// of `size` pixels, and all else that there is to see. What was typed and clicked counts, so
+    /// call it after each key with 0 seconds. Returns null when there is nothing to see; the data
+    /// is valid until the next call.
+    ImDrawData* draw(const OverlayContent& content, glm::ivec2 size, double seconds);
 
 private:
+    void draw_frame(const OverlayContent& content, double seconds);
+
+    Clipboard clipboard_;
+    std::string pasted_;
     ImGuiContext* context_ = nullptr;
+    float scale_ = 0.0f;
     float drop_ = 0.0f; // height of the console in parts of the screen
 };
+
+/// "compiling indirect.vlc, direct.vlc: 3 of 12 shaders done, 8 s".
+std::string compilation_text(const refresh::Compilation& state);
 
 } // namespace vigil::client
