@@ -103,6 +103,17 @@ class Bsp:
         return np.array([len(set().union(*(own[c] for c in np.flatnonzero(self.visible(k)))))
                          for k in range(count)])
 
+    def leafs_at(self, points):
+        """The world's leaf that each point (n, 3) lies in, as indices."""
+        at = np.full(len(points), int(self.models[0]["headnode"]))
+        while np.any(at >= 0):
+            inner = np.flatnonzero(at >= 0)
+            node = self.nodes[at[inner]]
+            plane = self.planes[node["plane"]]
+            front = np.sum(points[inner] * plane["normal"], axis=1) >= plane["dist"]
+            at[inner] = np.where(front, node["children"][:, 0], node["children"][:, 1])
+        return -1 - at
+
     def blocking_planes(self):
         """Planes of the world's solid and window brushes: (planes, first index of each brush)."""
         wanted = np.zeros(len(self.brushes), bool)

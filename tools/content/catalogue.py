@@ -8,10 +8,12 @@ import gallery
 import many
 import mine
 import ring
+import room
 import sky
 import statue
 import test_rooms
 import warehouse
+import yard
 
 
 # Numbers of lamps of the committed halls; those beyond many.BRUSH_LIMIT need a mesh.
@@ -32,7 +34,7 @@ class Entry:
 def levels(lights=None):
     """All levels; lights adds a hall with that many lamps."""
     out = [Entry(f.__name__, "test", lambda f=f: (f(), None)) for f in test_rooms.LEVELS]
-    for module in (warehouse, mine, gallery, ring):
+    for module in (warehouse, mine, gallery, ring, yard, room):
         out.append(Entry(module.__name__, "game", module.build,
                          getattr(module, "verify", None)))
     for count in [*HALLS, *([lights] if lights else [])]:
@@ -46,7 +48,10 @@ def skies(games):
                     (.8, .8, .8), 3, -.4)
     dusk = sky.day(mine.toward_sun(), (.13, .26, .55), (.62, .52, .42), (.2, .16, .12),
                    (.85, .78, .70), 5, -.2)
-    return {"dusk": lambda: sky.write_sky(games["game"] / "env", "dusk", 256, dusk),
+    evening = sky.day(sky.sun_direction(*sky.EVENING_SUN), (.075, .17, .42), (.74, .44, .24),
+                      (.15, .12, .09), (.80, .56, .42), 8, -.35)
+    return {"evening": lambda: sky.write_sky(games["game"] / "env", "evening", 256, evening),
+            "dusk": lambda: sky.write_sky(games["game"] / "env", "dusk", 256, dusk),
             "court": lambda: sky.write_sky(games["test"] / "env", "court", 64, court)}
 
 

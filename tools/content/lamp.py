@@ -12,6 +12,7 @@ from material import vigil
 import numpy as np
 
 STEEL = vigil("metal_dark")
+IRON = vigil("rust")
 CREAM = vigil("white")
 
 
@@ -92,3 +93,31 @@ def spot(level, point, face, texture, value=400, size=6):
 def strip(level, lo, hi, face, texture="lamp_warm", value=200):
     """A bare light strip: a box one side of which shines [1]."""
     level.add_detail(box(lo, hi, {"all": CREAM, face: vigil(texture).emissive(value).fitted()}))
+
+
+def lantern(level, x, y, z, value=300):
+    """An oil lamp on a hook: four panes between a foot and a cap [4]."""
+    light = vigil("lamp_sodium").emissive(value).fitted()
+    level.add_detail(box((x - 1, y - 1, z - 12), (x + 1, y + 1, z), IRON),
+                     box((x - 5, y - 5, z - 15), (x + 5, y + 5, z - 12), IRON),
+                     box((x - 4, y - 4, z - 26), (x + 4, y + 4, z - 15),
+                         {"all": IRON, "side": light}),
+                     box((x - 5, y - 5, z - 28), (x + 5, y + 5, z - 26), IRON))
+
+
+def lamp_post(level, x, y, z, value=400, height=112):
+    """A street lamp: a stone foot, an iron post, a lantern of four panes under a pointed cap [4]."""
+    light = vigil("lamp_warm").emissive(value).fitted()
+    top = z + height
+    level.add_detail(box((x - 8, y - 8, z - 16), (x + 8, y + 8, z + 8), vigil("rubble")),
+                     box((x - 3, y - 3, z + 8), (x + 3, y + 3, top - 4), STEEL),
+                     box((x - 8, y - 8, top - 4), (x + 8, y + 8, top), STEEL),
+                     box((x - 6, y - 6, top), (x + 6, y + 6, top + 18),
+                         {"all": STEEL, "side": light}))
+    for dx in (-1, 1):
+        for dy in (-1, 1):
+            level.add_detail(box((x + 7 * dx - 1, y + 7 * dy - 1, top),
+                                 (x + 7 * dx + 1, y + 7 * dy + 1, top + 18), STEEL))
+    low = np.column_stack([circle((x, y), 14, 4), np.full(4, top + 18.0)])
+    high = np.column_stack([circle((x, y), 3, 4), np.full(4, top + 30.0)])
+    level.add_detail(frustum(low, high, STEEL))

@@ -48,10 +48,13 @@ def streaks(size, seed, along="x", length=0.1, exponent=0.7):
 
 
 def cells(size, count, seed):
-    """Tileable Worley cells: distance to the nearest and second nearest of count points (pixels)
-    and the nearest point's index."""
-    rng = np.random.default_rng(seed)
-    points = rng.random((count, 2)) * size
+    """Tileable Worley cells of count random points; returns what nearest() does."""
+    return nearest(size, np.random.default_rng(seed).random((count, 2)) * size)
+
+
+def nearest(size, points):
+    """Distance to the nearest and second nearest point (pixels, wrapping) and the nearest one's
+    index, as (height, width) arrays."""
     x, y = coordinates(size)
     first = np.full(x.shape, np.inf)
     second = first.copy()

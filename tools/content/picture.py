@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Painters of pictures: the gallery's paintings, signs, water and glass."""
+"""Painters of pictures: the gallery's paintings, signs, a rug, water and glass."""
 
 import numpy as np
 
@@ -120,3 +120,23 @@ def sign(glyph, colour):
     shaft = rectangle(size, 12, 27, 36, 37)
     head = (x >= 34) & (x < 54) & (np.abs(y - 32) < (54 - x) * .85)
     return mix(image, (.66, .66, .64), np.maximum(shaft, head))
+
+
+def rug(seed):
+    """A knotted rug with borders and a row of medallions, 256 x 128."""
+    size = (256, 128)
+    x, y = coordinates(size)
+    image = canvas(size, (.30, .045, .035))
+    edge = np.minimum(np.minimum(x, 256 - x), np.minimum(y, 128 - y))
+    for inner, outer, colour in ((0, 4, (.45, .36, .24)), (6, 16, (.05, .065, .13)),
+                                 (18, 20, (.46, .34, .15))):
+        image = mix(image, colour, ((edge >= inner) & (edge < outer)) * 1.0)
+    knots = ((x + y) % 12 < 4) & (edge >= 8) & (edge < 14)
+    image = mix(image, (.42, .26, .09), knots * 1.0)
+    for middle in (66, 128, 190):
+        r = np.abs(x - middle) + np.abs(y - 64)
+        image = mix(image, (.06, .08, .15), (r < 30) * 1.0)
+        image = mix(image, (.46, .34, .15), ((r < 25) & (r > 21)) * 1.0)
+        image = mix(image, (.36, .09, .05), (r < 15) * 1.0)
+    knot = .06 * cloud(size, seed, .2, 16) + .05 * streaks(size, seed + 1, "x", .1, .8)
+    return times(image, 1 + knot)

@@ -9,6 +9,9 @@ import numpy as np
 
 from painter import save
 
+# Yaw and pitch in which the light of the evening sun travels (sky `evening`).
+EVENING_SUN = (50, -19)
+
 # Direction of a pixel from s (right), t (up), both -1..1.
 SIDES = {
     "rt": lambda s, t: (1 + 0 * s, -s, t),

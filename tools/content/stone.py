@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Painters of mineral surfaces: concrete, plaster, brick, tiles, marble, rock, soil."""
+"""Painters of mineral surfaces: concrete, plaster, brick, tiles, marble, rock, soil; masonry is in
+masonry.py."""
 
 import numpy as np
 

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The table of textures: name, painter, gloss; and the tools to write the set.
 
-Painters live in stone.py, metal.py, wood.py, lamp_face.py and picture.py; each returns a canvas of
-linear albedo. Only glossy materials are listed in materials.json.
+Painters live in stone.py, masonry.py, metal.py, wood.py, growth.py, lamp_face.py and picture.py;
+each returns a canvas of linear albedo. Only glossy materials are listed in materials.json.
 """
 
 import json
 
+import growth
 import lamp_face
+import masonry
 import metal
 import painter
 import picture
@@ -67,6 +69,25 @@ TABLE = {
     "beam": (wood.beam, dict(colour=(.26, .165, .085), seed=45), None),
     "parquet": (wood.parquet, dict(colour=(.36, .20, .095), seed=46), (.20, .04)),
     "walnut": (wood.beam, dict(colour=(.135, .07, .035), seed=47), (.30, .04)),
+    "stucco": (masonry.stucco, dict(colour=(.66, .50, .31), seed=70), None),
+    "stucco_pale": (masonry.stucco, dict(colour=(.68, .62, .51), seed=71), None),
+    "stucco_rose": (masonry.stucco, dict(colour=(.60, .35, .25), seed=72), None),
+    "rubble": (masonry.stones, dict(rows=8, columns=6, jitter=.30, colour=(.40, .33, .25),
+                                    joint=(.33, .28, .21), gap=2.2, seed=73), None),
+    "cobbles": (masonry.stones, dict(rows=14, columns=12, jitter=.17, colour=(.31, .275, .235),
+                                     joint=(.115, .095, .07), gap=1.6, seed=74, vary=.16), None),
+    "flagstones": (masonry.flagstones, dict(seed=75), (.55, .04)),
+    "roof_tiles": (masonry.roof_tiles, dict(seed=76), None),
+    "grass": (growth.grass, dict(colour=(.115, .17, .045), dry=(.30, .25, .095), seed=77), None),
+    "foliage": (growth.foliage, dict(colour=(.15, .20, .045), seed=78), None),
+    "cypress": (growth.foliage, dict(colour=(.055, .095, .035), seed=79, count=620), None),
+    "bark": (growth.bark, dict(colour=(.25, .19, .135), seed=80), None),
+    "straw": (growth.straw, dict(seed=81), None),
+    "linen": (growth.weave, dict(colour=(.70, .68, .63), seed=82), None),
+    "louvre_green": (wood.louvre, dict(colour=(.07, .17, .115), seed=83), (.5, .04)),
+    "window_wood": (wood.painted, dict(colour=(.56, .53, .46), seed=84), (.45, .04)),
+    "books": (wood.books, dict(seed=85), None),
+    "rug": (picture.rug, dict(seed=86), None),
     "water": (picture.water, dict(seed=50), None),
     "glass": (picture.glass, dict(), None),
     "painting_dunes": (picture.dunes, dict(seed=51), None),

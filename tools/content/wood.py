@@ -116,3 +116,48 @@ def carton(seed):
                                                       91 + 7 * i))
     tone = 1 + .03 * cloud(SMALL, seed, 1.2, 2)
     return times(image, tone)
+
+
+def painted(colour, seed):
+    """Painted joinery: faint brush strokes along u, a few worn spots."""
+    image = times(canvas(SMALL, colour), 1 + .025 * streaks(SMALL, seed, "x", .05, .5))
+    worn = smooth(1.8, 2.6, cloud(SMALL, seed + 1, 1.1, 3))
+    return mix(image, np.array(colour) * .55, .5 * worn)
+
+
+def louvre(colour, seed):
+    """One leaf of a shutter: slats in a frame."""
+    size = (64, 128)
+    x, y = coordinates(size)
+    phase = (y % 8) / 8
+    slats = times(canvas(size, colour), .50 + .75 * phase)
+    frame = np.maximum.reduce([1 - rectangle(size, 8, 8, 56, 120), rectangle(size, 8, 60, 56, 68)])
+    image = mix(slats, np.array(colour) * 1.1, frame)
+    fade = 1 + .10 * streaks(size, seed, "y", .2, .8)
+    return times(times(image, emboss(2 * frame, .12)), fade)
+
+
+def books(seed):
+    """Four shelves of book spines, 256 x 256."""
+    image = canvas(SIZE, (.03, .02, .015))
+    rng = np.random.default_rng(seed)
+    leather = [(.26, .07, .045), (.10, .13, .20), (.16, .10, .05), (.10, .15, .085),
+               (.36, .25, .12), (.05, .045, .05), (.46, .40, .29)]
+    for shelf in range(4):
+        foot = 64 * shelf + 58
+        at = 1
+        while at < 250:
+            width = int(rng.integers(6, 15))
+            top = foot - int(rng.integers(34, 52))
+            colour = np.array(leather[rng.integers(len(leather))]) * rng.uniform(.75, 1.25)
+            spine = rectangle(SIZE, at, top, min(at + width, 256), foot)
+            x, _ = coordinates(SIZE)
+            bulge = 1 - .5 * (2 * np.abs(x - at - width / 2) / width) ** 2
+            image = np.where(spine[..., None] > 0, times(canvas(SIZE, colour), bulge), image)
+            for band in (6, 10, int(foot - top - 8)):
+                line = rectangle(SIZE, at + 1, top + band, at + width - 1, top + band + 1)
+                image = mix(image, (.45, .33, .12), .6 * line)
+            at += width + (1 if rng.random() < .9 else 7)
+    board = seam(coordinates(SIZE)[1] - 61, 64, 6)
+    return mix(image, times(canvas(SIZE, (.17, .09, .045)), 1 + .1 * streaks(SIZE, seed, "x")),
+               board)

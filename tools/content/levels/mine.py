@@ -10,6 +10,7 @@ import numpy as np
 import crate
 from brush import beam, box, cylinder, hull
 from carver import Carver, Skin
+from lamp import lantern
 from map_file import Level
 from material import SKY_BOX, vigil
 from rock import Rock, value_noise
@@ -156,16 +157,6 @@ def timber_set(level, rock, middle, right, reach, lit):
     if lit:
         x, y = np.round(middle + .5 * reach * right)
         lantern(level, x, y, top)
-
-
-def lantern(level, x, y, z, value=300):
-    """An oil lamp on a hook: four panes between a foot and a cap [4 emissive faces]."""
-    light = vigil("lamp_sodium").emissive(value).fitted()
-    level.add_detail(box((x - 1, y - 1, z - 12), (x + 1, y + 1, z), IRON),
-                     box((x - 5, y - 5, z - 15), (x + 5, y + 5, z - 12), IRON),
-                     box((x - 4, y - 4, z - 26), (x + 4, y + 4, z - 15),
-                         {"all": IRON, "side": light}),
-                     box((x - 5, y - 5, z - 28), (x + 5, y + 5, z - 26), IRON))
 
 
 def track(level, rock):
