@@ -80,7 +80,7 @@ struct TraceOptions {
     bool storage = false; // nodes as a storage buffer
     std::string json;     // empty: none
     std::vector<std::filesystem::path> basedirs;
-    std::vector<std::string> levels = {"warehouse", "gallery", "e3m6", "random"};
+    std::vector<std::string> levels = {"warehouse", "gallery", "yard", "room", "e3m6", "random"};
 };
 TraceOptions parse_trace_options(std::span<const std::string> arguments);
 

@@ -24,7 +24,10 @@ struct LevelWarmup {
     int frames;
 };
 constexpr LevelWarmup level_warmups[] = {
-    {"mine", 64}, // few rays meet its sun
+    // Few rays meet their sun.
+    {"mine", 64},
+    {"yard", 64},
+    {"room", 64},
 };
 
 /// Small pictures of one level.
@@ -84,7 +87,7 @@ void select_parts(Plan& plan) {
 
 Plan quality_plan(std::span<const std::string> arguments) {
     QualityOptions options;
-    options.levels = {"warehouse", "mine", "gallery"};
+    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
     options.seeds = 4;
     options.rows = technique_rows();
     // The paper's figure 8 has these with both kinds of rays.
@@ -99,7 +102,7 @@ Plan quality_plan(std::span<const std::string> arguments) {
 Plan adapt_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Curve;
-    options.levels = {"warehouse", "gallery"};
+    options.levels = {"warehouse", "gallery", "yard", "room"};
     options.rows = technique_rows({"sll", "vlc", "vlc+cdq"});
     options.seeds = 4;
     options.frames = 24;
@@ -151,7 +154,7 @@ Plan ring_plan(std::span<const std::string> arguments) {
 Plan timing_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Times;
-    options.levels = {"warehouse", "mine", "gallery"};
+    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
     options.rows = technique_rows({"lh", "sll", "vlc", "vlc+cdq"});
     options.views = 1;
     options.seeds = 6; // flights: as few as have an interval

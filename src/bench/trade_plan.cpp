@@ -83,7 +83,7 @@ std::vector<QualityRow> preset_rows() {
 
 Plan trade_plan(std::span<const std::string> arguments) {
     QualityOptions options;
-    options.levels = {"warehouse", "mine", "gallery"};
+    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
     options.rows = {technique_row("vlc")}; // what techniques and presets are compared with
     options.seeds = 2;
     options.reference_paths = 512;

@@ -49,7 +49,8 @@ TEST(QualityOptions, EveryTechniqueButBruteIsARow) {
     EXPECT_GT(options.rows.size(), rows.size());
     EXPECT_EQ(options.reference.label, "vlc+cdq");
     EXPECT_EQ(options.baseline, "sll");
-    EXPECT_EQ(options.levels, (std::vector<std::string>{"warehouse", "mine", "gallery"}));
+    EXPECT_EQ(options.levels,
+              (std::vector<std::string>{"warehouse", "mine", "gallery", "yard", "room"}));
 }
 
 TEST(QualityOptions, VariantsAreRowsWithOtherVariables) {

@@ -437,7 +437,7 @@ TEST_F(DemoTest, DemosAreListedAndRecordedOnesComeFirst) {
 TEST(ShippedDemos, AreTheRoutesOfTheirLevels) {
     FileSystem files;
     files.mount_game(VIGIL_SOURCE_DIR, "baseq2");
-    for (const std::string name : {"warehouse", "mine", "gallery", "ring"}) {
+    for (const std::string name : {"warehouse", "mine", "gallery", "ring", "yard", "room"}) {
         const std::string path = "demos/" + name + ".dm2";
         dm2::File file(path, files.read(path));
         dm2::Parser parser(path);

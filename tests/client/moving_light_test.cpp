@@ -90,7 +90,7 @@ TEST_F(MovingLights, TestLightsAreAFunctionOfTheTime) {
 }
 
 TEST_F(MovingLights, TestLightsStayInTheOpen) {
-    for (const char* name : {"warehouse", "mine", "gallery", "ring"}) {
+    for (const char* name : {"warehouse", "mine", "gallery", "ring", "yard", "room"}) {
         session_.load_map(name);
         TestLights lights(session_.shared_level());
         const CollisionWorld world(session_.level()->bsp);

@@ -77,7 +77,7 @@ void wander(const std::shared_ptr<const Level>& level, int ticks, unsigned seed)
 }
 
 TEST(LevelWalk, WandersThroughShippedLevels) {
-    for (const char* name : {"warehouse", "mine", "gallery", "ring", "many_1000"})
+    for (const char* name : {"warehouse", "mine", "gallery", "ring", "yard", "room", "many_1000"})
         for (const unsigned seed : {1u, 2u})
             wander(load(shipped(name)), 12000, seed);
 }

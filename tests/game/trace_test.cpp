@@ -222,7 +222,7 @@ TEST_P(LevelTraces, AgreeWithAllBrushes) {
 
 std::vector<std::filesystem::path> shipped_levels() {
     std::vector<std::filesystem::path> paths;
-    for (const char* name : {"warehouse", "mine", "gallery", "ring", "many_1000"})
+    for (const char* name : {"warehouse", "mine", "gallery", "ring", "yard", "room", "many_1000"})
         paths.push_back(std::filesystem::path(VIGIL_SOURCE_DIR) / "baseq2" / "maps" /
                         (std::string(name) + ".bsp"));
     return paths;

@@ -54,7 +54,7 @@ TEST(WalkReplay, ShippedLevels) {
         check_walk(sources, name, sources / "baseq2" / "walks" / (name + ".walk"));
         ++levels;
     }
-    EXPECT_GE(levels, 9);
+    EXPECT_GE(levels, 11);
 }
 
 TEST(WalkReplay, RealLevels) {

@@ -39,7 +39,7 @@ LEVELS = {level.name: level for level in [
     *(Level(name, SOURCE / "tests" / "data") for name in ("lamp", "rooms", "opensky")),
     # Where all walls shine, points on them are no way to sample light: the variance near corners is infinite.
     Level("furnace", SOURCE / "tests" / "data", variables=(("pt_nee", "brute"),)),
-    *(Level(name, SOURCE) for name in ("warehouse", "mine", "gallery")),
+    *(Level(name, SOURCE) for name in ("warehouse", "mine", "gallery", "yard", "room")),
     Level("e3m6", SHARED), Level("e1m1", SHARED)]}
 
 

@@ -255,7 +255,7 @@ def inside(level):
     furniture.bookcase(level, (540, 1160, DECK), (624, 1180, DECK + 104), "-y")
     furniture.table(level, (534, 944), (580, 1000), DECK, 30)
     furniture.stool(level, 600, 976, DECK)
-    lantern(level, 640, 1060, 150, 60)
+    lantern(level, 640, 1060, 150, 250)
 
 
 BARN = (1160, 288, 1504, 848)
@@ -344,12 +344,12 @@ def things(level, rng, ground):
 
     farm.well(level, 700, 470, at(700, 470))
     farm.cart(level, rng, 985, 800, at(985, 800) - 2, 204)
-    lamp_post(level, 170, 750, at(170, 750), 200)
+    lamp_post(level, 92, 484, at(92, 484), 200)
     lamp_post(level, 1090, 400, at(1080, 470), 200)
     farm.washing(level, rng, (930, 960, at(930, 960)), (1130, 1080, at(1130, 1080)))
     for x, y, size, count in ((70, 770, 44, 3), (1090, 720, 40, 2), (60, 130, 48, 3)):
         crate.stack(level, rng, x, y, at(x, y) - 1, size, count)
-    for x, y in ((1128, 690), (1098, 672), (150, 90), (48, 520), (1010, 240)):
+    for x, y in ((1128, 690), (1098, 672), (150, 90), (48, 430), (1010, 240)):
         crate.barrel(level, x, y, at(x, y) - 1, "crate_dark", 15, 40)
     # A bench under the tree, a trough by the wall.
     x, y, z = 470, 250, at(470, 250)
