@@ -49,8 +49,8 @@ def wheel(x, y, z, radius, width=5):
             prism_along("y", y - width / 2 - 4, y + width / 2 + 4, circle((x, z), 4.5, 8), OAK)]
 
 
-def cart(level, rng, x, y, z, yaw, loaded=True):
-    """A two-wheeled cart, its shafts on the ground; loaded with hay."""
+def cart(level, rng, x, y, z, yaw):
+    """A two-wheeled cart loaded with hay, its shafts on the ground."""
     parts = wheel(x, y - 32, z + 24, 24) + wheel(x, y + 32, z + 24, 24)
     parts += [box((x - 50, y - 26, z + 28), (x + 50, y + 26, z + 32), PLANK),
               box((x - 4, y - 36, z + 22), (x + 4, y + 36, z + 28), OAK)]
@@ -63,9 +63,8 @@ def cart(level, rng, x, y, z, yaw, loaded=True):
             parts.append(box((x + dx, a2, z + 26), (x + dx + 4, b2, z + 54), OAK))
         parts.append(beam([x + 50, y + s * 18, z + 30], [x + 128, y + s * 18, z + 3], 5, 5, OAK))
     parts.append(box((x - 50, y - 24, z + 34), (x - 48, y + 24, z + 50), PLANK))
-    if loaded:
-        for dx, size in ((-24, 30), (8, 34), (30, 24)):
-            parts.append(heap(rng, x + dx, y, z + 38, size))
+    for dx, size in ((-24, 30), (8, 34), (30, 24)):
+        parts.append(heap(rng, x + dx, y, z + 38, size))
     level.add_detail(*[p.turned(yaw, (x, y, 0)) for p in parts])
 
 
@@ -81,7 +80,8 @@ def heap(rng, x, y, z, size, material=STRAW):
 
 def bale(level, x, y, z, yaw=0.0):
     """A bale of straw, 56 x 32 x 28."""
-    level.add_detail(box((x - 28, y - 16, z), (x + 28, y + 16, z + 28), STRAW).turned(yaw, (x, y, z)))
+    straw = box((x - 28, y - 16, z), (x + 28, y + 16, z + 28), STRAW)
+    level.add_detail(straw.turned(yaw, (x, y, z)))
 
 
 def wood_pile(level, rng, x, y, z, count=6, rows=4, length=52):
@@ -110,7 +110,8 @@ def pergola(level, x0, x1, wall, front, z, height=112, leaves=None):
     level.add_detail(box((x0, front - 4, z + height), (x1, front + 4, z + height + 8), OAK))
     for x in np.arange(x0 + 4, x1, 24):
         a, b = sorted((front, wall))
-        level.add_detail(box((x, a - 14, z + height + 8), (x + 5, b, z + height + 15), OAK.turned()))
+        level.add_detail(box((x, a - 14, z + height + 8), (x + 5, b, z + height + 15),
+                             OAK.turned()))
     if leaves is not None:
         for x in np.arange(x0 + 16, x1 - 110, 36):
             at = [x, front + leaves.uniform(-6, 40), z + height + 16]
@@ -164,10 +165,10 @@ def ladder(level, foot, head, width=22, rungs=9):
 
 
 def pot(level, x, y, z, rng=None, radius=10):
-    """A clay pot, with a bush in it when rng is given."""
+    """A clay pot, with a bush in it when rng (of its shape) is given."""
     clay = vigil("plaster_red", scale=.25) if rng is None else vigil("stucco_rose", scale=.25)
-    level.add_detail(frustum(np.column_stack([circle((x, y), radius * .7, 8), np.full(8, float(z))]),
-                             np.column_stack([circle((x, y), radius, 8),
-                                              np.full(8, z + radius * 1.5)]), clay))
+    low = np.column_stack([circle((x, y), radius * .7, 8), np.full(8, float(z))])
+    high = np.column_stack([circle((x, y), radius, 8), np.full(8, z + radius * 1.5)])
+    level.add_detail(frustum(low, high, clay))
     if rng is not None:
         clump(level, rng, np.array([x, y, z + radius * 2.2]), radius * 1.25)

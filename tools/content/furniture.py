@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from brush import beam, box
+from brush import Brush, Side, beam, box
 from material import vigil
 
 OAK = vigil("beam", scale=.35)
@@ -109,9 +109,8 @@ def tilted(brush, pitch, yaw, centre):
     """A brush about the origin, its +x side raised by pitch degrees, turned to yaw, moved."""
     p = np.radians(pitch)
     r = np.array([[np.cos(p), 0, -np.sin(p)], [0, 1, 0], [np.sin(p), 0, np.cos(p)]])
-    for side in brush.sides:
-        side.polygon = side.polygon @ r.T
-    return brush.turned(yaw).moved(centre)
+    sides = [Side(s.polygon @ r.T, s.material) for s in brush.sides]
+    return Brush(sides).turned(yaw).moved(centre)
 
 
 def rug(level, lo, hi, z):

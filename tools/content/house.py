@@ -16,7 +16,7 @@ PLANKS = vigil("planks_old")
 
 
 class Facade:
-    """A wall along axis 'x' or 'y' whose outer face is at a coordinate and looks to out (+1, -1)."""
+    """A wall along axis 'x' or 'y'; its outer face is at a coordinate and looks to out (+1, -1)."""
 
     def __init__(self, axis, at, out, thick, outer, inner):
         self.axis, self.at, self.out, self.thick = axis, at, out, thick

@@ -106,7 +106,7 @@ def lantern(level, x, y, z, value=300):
 
 
 def lamp_post(level, x, y, z, value=400, height=112):
-    """A street lamp: a stone foot, an iron post, a lantern of four panes under a pointed cap [4]."""
+    """A street lamp: stone foot, iron post, a lantern of four panes under a pointed cap [4]."""
     light = vigil("lamp_warm").emissive(value).fitted()
     top = z + height
     level.add_detail(box((x - 8, y - 8, z - 16), (x + 8, y + 8, z + 8), vigil("rubble")),

@@ -150,10 +150,12 @@ def studio(level):
                              {"all": WALNUT, "-y": vigil("painting_" + name, fit=True)}))
     # A cast-iron stove in the west with its pipe, and a cupboard.
     iron = vigil("metal_dark")
-    level.add_detail(box((14, 150, 8), (50, 190, 56), iron), box((10, 146, 56), (54, 194, 60), iron),
+    level.add_detail(box((14, 150, 8), (50, 190, 56), iron),
+                     box((10, 146, 56), (54, 194, 60), iron),
                      box((26, 164, 60), (38, 176, HEIGHT), iron),
                      box((0, 120, 0), (72, 220, 3), STONE),
-                     box((3, 20, 0), (27, 108, 116), WALNUT), box((3, 16, 116), (31, 112, 122), OAK))
+                     box((3, 20, 0), (27, 108, 116), WALNUT),
+                     box((3, 16, 116), (31, 112, 122), OAK))
     for dx in (16, 44):
         for dy in (152, 184):
             level.add_detail(box((dx - 2, dy - 2, 3), (dx + 2, dy + 2, 8), iron))
