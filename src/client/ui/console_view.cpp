@@ -40,7 +40,7 @@ void show_line(const Console::Line& line) {
 void Console::draw_lines() {
     // A few lines stand at the bottom.
     const float room = ImGui::GetWindowHeight() - lines_height_;
-    if (room > 0.0f) ImGui::SetCursorPosY(room);
+    if (room > 0.0f && !lines_.empty()) ImGui::SetCursorPosY(room);
     const float top = ImGui::GetCursorPosY();
     ImGui::PushTextWrapPos(0.0f);
     for (const Line& line : lines_)
@@ -56,8 +56,6 @@ void Console::draw_lines() {
         wanted = std::clamp(wanted, 0.0f, newest);
         ImGui::SetScrollY(wanted);
         follows_ = wanted == newest;
-    } else if (ImGui::IsMouseDown(0)) { // it may hold the scroll bar
-        follows_ = wanted == newest;
     } else if (follows_) {
         ImGui::SetScrollHereY(1.0f);
     }
@@ -67,16 +65,13 @@ void Console::draw_input() {
     ImGui::TextColored(theme::edge, "]");
     ImGui::SameLine(0.0f, ImGui::CalcTextSize(" ").x);
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool had_keyboard = has_keyboard_;
-    if (!had_keyboard && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+    if (!has_keyboard_) ImGui::SetKeyboardFocusHere();
     const auto on_edit = [](ImGuiInputTextCallbackData* data) {
         static_cast<Console*>(data->UserData)->on_frame(*data);
         return 0;
     };
     ImGui::InputText("##input", input_.data(), input_.size(), ImGuiInputTextFlags_CallbackAlways,
                      on_edit, this);
-    // A click elsewhere takes the keyboard away.
-    if (had_keyboard && !ImGui::IsItemActive()) has_keyboard_ = false;
 }
 
 void Console::draw(float drop, float height) {

@@ -49,8 +49,9 @@ void Input::on(const KeyEvent& event) {
     if (event.key == Key::Ctrl) ctrl_ = event.down;
     if (event.key == Key::Shift) shift_ = event.down;
     if (event.key == Key::Alt) alt_ = event.down;
-    if (event.key == Key::Mouse1 &&
-        (!event.down || console_.is_open() || (menu_.is_open() && !menu_.wants_key()))) {
+    // The console has no use for clicks: they would take the keyboard from it.
+    const bool clicks = menu_.is_open() && !menu_.wants_key() && !console_.is_open();
+    if (event.key == Key::Mouse1 && (clicks || !event.down)) {
         hold_widget(event.down);
         if (event.down) return;
     }
@@ -105,7 +106,7 @@ void Input::on(const platform::TextEvent& event) {
 }
 
 void Input::on(const platform::MouseMoveEvent& event) {
-    if (menu_.is_open() || console_.is_open()) point_at_widgets(event.position);
+    if (menu_.is_open()) point_at_widgets(event.position);
     if (!mouse_look_) return;
     if (dragging_ && commands_.variables()->pt_compare != 0) {
         dragged_ += event.delta.x;

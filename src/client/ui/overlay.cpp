@@ -19,7 +19,7 @@ namespace {
 constexpr float open_height = 0.5f; // of the screen
 constexpr float least_drop = 0.2f;  // of an open console: its input line can be seen
 constexpr float screens_per_second = 3.0f;
-constexpr int most_focus_frames = 4; // that ImGui takes to give an open console the keyboard
+constexpr int most_frames = 4; // that ImGui takes to give an open console the keyboard
 constexpr int font_scales = 3;
 constexpr float font_pixels = 13.0f; // ImGui's own font is drawn for this size
 constexpr float pixels_per_scale = 720.0f;
@@ -130,13 +130,14 @@ ImDrawData* Overlay::draw(const OverlayContent& content, glm::ivec2 size, double
 
     ImGui::SetCurrentContext(context_);
     ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
-    draw_frame(content, seconds);
-    for (int i = 0; i < most_focus_frames && console.is_open() && !console.has_keyboard(); ++i)
-        draw_frame(content, 0.0);
+    bool more = draw_frame(content, seconds);
+    for (int i = 0; i < most_frames && more; ++i)
+        more = draw_frame(content, 0.0);
     return ImGui::GetDrawData();
 }
 
-void Overlay::draw_frame(const OverlayContent& content, double seconds) {
+/// Returns true when what was typed or opened takes another.
+bool Overlay::draw_frame(const OverlayContent& content, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     if (scale_ != scale_for(io.DisplaySize.y)) {
         scale_ = scale_for(io.DisplaySize.y);
@@ -160,7 +161,8 @@ void Overlay::draw_frame(const OverlayContent& content, double seconds) {
         content.console.draw_suggestions(drop_);
     ImGui::PopFont();
     ImGui::Render();
-    release_widget_keys();
+    const bool released = release_widget_keys();
+    return released || (content.console.is_open() && !content.console.has_keyboard());
 }
 
 } // namespace vigil::client

@@ -52,7 +52,7 @@ public:
     ImDrawData* draw(const OverlayContent& content, glm::ivec2 size, double seconds);
 
 private:
-    void draw_frame(const OverlayContent& content, double seconds);
+    bool draw_frame(const OverlayContent& content, double seconds);
 
     Clipboard clipboard_;
     std::string pasted_;

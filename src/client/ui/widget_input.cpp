@@ -25,63 +25,52 @@ constexpr std::pair<Key, ImGuiKey> editing_keys[] = {
     {Key::Z, ImGuiKey_Z},
 };
 
+void set_widget_key(ImGuiKey key, bool down, bool ctrl, bool shift) {
+    ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18900
+    io.AddKeyEvent(ImGuiMod_Ctrl, ctrl);
+    io.AddKeyEvent(ImGuiMod_Shift, shift);
+    io.AddKeyEvent(key, down);
+#else
+    io.KeyMap[key] = key;
+    io.KeyCtrl = ctrl;
+    io.KeyShift = shift;
+    io.KeysDown[key] = down;
+#endif
+}
+
 } // namespace
 
+void press_widget_key(Key key, bool ctrl, bool shift) {
+    for (const auto& [ours, theirs] : editing_keys)
+        if (ours == key) set_widget_key(theirs, true, ctrl, shift);
+}
+
+bool release_widget_keys() {
+    bool any = false;
+    for (const auto& [ours, theirs] : editing_keys) {
+        if (!ImGui::IsKeyDown(theirs)) continue;
+        set_widget_key(theirs, false, false, false);
+        any = true;
+    }
+    return any;
+}
+
+void point_at_widgets(glm::vec2 place) {
 #if IMGUI_VERSION_NUM >= 18900
-
-void press_widget_key(Key key, bool ctrl, bool shift) {
-    ImGuiIO& io = ImGui::GetIO();
-    for (const auto& [ours, theirs] : editing_keys) {
-        if (ours != key) continue;
-        io.AddKeyEvent(ImGuiMod_Ctrl, ctrl);
-        io.AddKeyEvent(ImGuiMod_Shift, shift);
-        io.AddKeyEvent(theirs, true);
-    }
-}
-
-void release_widget_keys() {
-    ImGui::GetIO().ClearInputKeys();
-}
-
-void point_at_widgets(glm::vec2 place) {
     ImGui::GetIO().AddMousePosEvent(place.x, place.y);
-}
-
-void hold_widget(bool down) {
-    ImGui::GetIO().AddMouseButtonEvent(0, down);
-}
-
 #else
-
-void press_widget_key(Key key, bool ctrl, bool shift) {
-    ImGuiIO& io = ImGui::GetIO();
-    for (const auto& [ours, theirs] : editing_keys) {
-        io.KeyMap[theirs] = theirs;
-        if (ours != key) continue;
-        io.KeyCtrl = ctrl;
-        io.KeyShift = shift;
-        io.KeysDown[theirs] = true;
-    }
-}
-
-void release_widget_keys() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = io.KeyShift = false;
-    for (const auto& [ours, theirs] : editing_keys) {
-        io.KeysDown[theirs] = false;
-        io.KeysDownDuration[theirs] = -1.0f; // the next press is a new one
-    }
-}
-
-void point_at_widgets(glm::vec2 place) {
     ImGui::GetIO().MousePos = {place.x, place.y};
+#endif
 }
 
 void hold_widget(bool down) {
+#if IMGUI_VERSION_NUM >= 18900
+    ImGui::GetIO().AddMouseButtonEvent(0, down);
+#else
     ImGui::GetIO().MouseDown[0] = down;
-}
-
 #endif
+}
 
 void type_into_widget(const std::string& text) {
     ImGui::GetIO().AddInputCharactersUTF8(text.c_str());

@@ -12,8 +12,8 @@ namespace vigil::client {
 
 /// A key that edits text goes down, for one frame; other keys are none of the widgets'.
 void press_widget_key(platform::Key key, bool ctrl, bool shift);
-/// What went down comes up; after each frame.
-void release_widget_keys();
+/// After a frame, what went down comes up; returns true when that takes another frame.
+bool release_widget_keys();
 /// Typed characters, UTF-8.
 void type_into_widget(const std::string& text);
 
