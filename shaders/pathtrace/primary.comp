@@ -7,6 +7,26 @@
 #include "pathtrace/path.glsl"
 #include "pathtrace/sky.glsl"
 
+/// What a camera ray sees: what stands before all else, then the nearest. Cutouts let it pass by chance.
+bool see(Ray ray, uint seed, inout Random random, out Hit hit) {
+    if (!HAS_EFFECTS) return trace_camera(ray, seed, INSTANCE_SEEN, hit);
+    const float start = ray.t_min;
+    uint mask = INSTANCE_FRONT;
+    while (true) {
+        if (trace_camera(ray, seed, mask, hit)) {
+            const float share = cutout_share(ray, hit);
+            if (share == 1.0 || random_next(random) < share) return true;
+            ray.t_min = uintBitsToFloat(floatBitsToUint(hit.t) + 4u); // just behind
+        } else if (mask == INSTANCE_FRONT) {
+            mask = INSTANCE_SEEN;
+            ray.t_min = start;
+        } else {
+            return false;
+        }
+    }
+    return false;
+}
+
 void main() {
     uvec2 pixel;
     uint index;
@@ -23,7 +43,8 @@ void main() {
     stored.flags = 0u;
     vec3 emission = vec3(0.0);
     Hit hit;
-    if (trace_closest(ray, random_next_words(random).x, hit)) {
+    const uint seed = random_next_words(random).x;
+    if (see(ray, seed, random, hit)) {
         const Vertex vertex = describe_hit(ray, hit, frame.pixel_angle, true);
         emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
         if (vertex.lit) {

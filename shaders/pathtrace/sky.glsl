@@ -46,7 +46,7 @@ vec3 sky_radiance(vec3 direction) {
     if (frame.sky_texture != NONE) {
         uint side;
         vec2 uv;
-        sky_coordinates(direction, side, uv);
+        sky_coordinates(frame.sky_from_world * direction, side, uv);
         value *= sky_texel(textures[frame.sky_texture + side], uv);
     }
     if (HAS_SUN && in_cone(direction, frame.sun_direction, frame.sun_size)) value += frame.sun_radiance;

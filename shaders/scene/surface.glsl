@@ -66,13 +66,32 @@ vec3 surface_texel(Primitive primitive, BvhTriangle triangle, Material material,
     return sample_texture(material_texture(material), uv, cone * density);
 }
 
+/// Linear mean-filtered texel where a ray of angle `spread` radians hits a triangle with this normal.
+vec3 hit_texel(Ray ray, Hit hit, BvhTriangle triangle, vec3 normal, Primitive primitive, Material material, float spread) {
+    const float cosine = max(-dot(normal, ray.direction), 1e-3);
+    const float cone = spread * hit.t * inversesqrt(cosine);
+    return surface_texel(primitive, triangle, material, hit.barycentrics, cone);
+}
+
+/// Share of a cutout that there is where a camera ray hits it, 0..1; of all else 1.
+float cutout_share(Ray ray, Hit hit) {
+    if ((instances[hit.instance].flags & INSTANCE_CUTOUT) == 0u) return 1.0;
+    const Primitive primitive = primitives[hit.primitive];
+    Material material = materials[primitive.material];
+    ++material.texture;
+    const BvhTriangle triangle = bvh_load_triangle(hit.primitive);
+    const vec3 normal = triangle_normal(triangle, hit.instance);
+    return hit_texel(ray, hit, triangle, normal, primitive, material, frame.pixel_angle).x;
+}
+
 /// Emission of a triangle light seen from its front; `texel` gives a lamp its look without changing its mean.
 vec3 light_emission(Primitive primitive, BvhTriangle triangle, Hit hit, Material material, vec3 texel, bool textured) {
     const uint first = HAS_INSTANCES ? instances[hit.instance].first_light : 0u;
     vec3 emission = lights[first + primitive.light].radiance;
     // A translucent lamp's list entry is dimmed by its coverage; a ray that stops at it has paid for that already.
     if (HAS_TRANSLUCENT) {
-        const uint coverage = triangle.flags & TRIANGLE_COVERAGE_MASK;
+        uint coverage = triangle.flags & TRIANGLE_COVERAGE_MASK;
+        if (HAS_EFFECTS) coverage = bvh_faded(coverage, bvh_opacity(instances[hit.instance].flags));
         emission *= 255.0 / float(max(coverage, 1u));
     }
     if (textured && material.inverse_mean != vec3(0.0)) emission *= texel * material.inverse_mean;
@@ -95,13 +114,12 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     if (!hit.front) return vertex; // the inside of a wall is black
     const BvhTriangle triangle = bvh_load_triangle(hit.primitive);
     const vec3 normal = triangle_normal(triangle, hit.instance);
-    const float cosine = max(-dot(normal, ray.direction), 1e-3);
-    const float cone = spread * hit.t * inversesqrt(cosine);
-    const vec3 texel = surface_texel(primitive, triangle, material, hit.barycentrics, cone);
+    const vec3 texel = hit_texel(ray, hit, triangle, normal, primitive, material, spread);
     if (HAS_LIGHTS && primitive.light != NONE)
         vertex.emission = light_emission(primitive, triangle, hit, material, texel,
                                          primary && frame.settings.pt_emissive_texture != 0);
     if (HAS_INSTANCES && primary && (material.flags & MATERIAL_SHINES) != 0u) vertex.emission = SHINE_RADIANCE * texel;
+    if (HAS_EFFECTS && primary) vertex.emission += instances[hit.instance].glow * texel;
     vertex.lit = true;
     vertex.surface.position = triangle_point(triangle, hit);
     vertex.surface.normal = normal;

@@ -36,6 +36,7 @@
 #define CONSTANT_TRANSLUCENT 1 // some faces are: trace/trace.glsl
 #define CONSTANT_GROUP_SIZE 2  // invocations of a work group: guiding
 #define CONSTANT_GUIDER_SIZE 3 // of what the guider keeps: scene/frame.glsl, guiding/guide_adapt.comp
+#define CONSTANT_EFFECTS 4     // some model fades, glows, is a sprite or hidden from some rays: trace/trace.glsl
 #define CONSTANT_SKY 8         // these six say what a level has: scene/frame.glsl
 #define CONSTANT_SUN 9
 #define CONSTANT_GLOSS 10

@@ -54,7 +54,8 @@ struct TopNode {
     vec3 upper;
     uint instance; // index in Instance[], or NONE in inner nodes
     mat4x3 object_from_world;
-    uint root; // node index in the bottom-level buffer
+    uint root;  // node index in the bottom-level buffer
+    uint flags; // the instance's: INSTANCE_*
 };
 
 SHADER_CONST uint TOP_END = 0xffffffffu;
@@ -222,6 +223,17 @@ SHADER_FN bool bvh_covered(uint flags, bool front, uint seed, uint instance, uin
     uint coverage = flags & TRIANGLE_COVERAGE_MASK;
     if (coverage == 255u) return true;
     return front && bvh_coverage_hash(seed, instance, primitive) < coverage;
+}
+
+/// A triangle's flags where its instance has this opacity (0..255).
+SHADER_FN uint bvh_faded(uint flags, uint opacity) {
+    if (opacity == 255u) return flags;
+    return ((flags & TRIANGLE_COVERAGE_MASK) * opacity + 127u) / 255u;
+}
+
+/// Opacity of an instance with these flags, 0..255.
+SHADER_FN uint bvh_opacity(uint instance_flags) {
+    return (instance_flags >> INSTANCE_OPACITY_SHIFT) & 0xffu;
 }
 
 SHADER_END

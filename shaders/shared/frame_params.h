@@ -24,6 +24,7 @@ struct FrameParams {
     uint jitter;           // 1: camera rays pass through random points of the pixel
     uint light_count;      // ids in use, dark ones included
     uint sky_texture;      // first of six textures in the order of formats/sky.h, or NONE
+    mat3 sky_from_world;   // turns the sky box, not the sun
     vec3 sky_radiance;     // factor on the sky's texels; the radiance itself if there is no texture
     vec3 sun_direction;    // unit, towards the sun
     vec3 sun_radiance;     // of the disc; 0 without a sun

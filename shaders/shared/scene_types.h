@@ -21,7 +21,19 @@ struct Instance {
     uint first_light; // light id of the model's light 0; a primitive's light index is added to it
     uint flags;       // INSTANCE_*
     uint entity;      // stable entity number, for views and debugging
+    vec3 glow;        // radiance that a white texel of it shows to camera rays besides what it reflects
 };
+
+/// Bits 0..7 of Instance::flags: the rays that meet it. A ray's mask has one of them.
+SHADER_CONST uint INSTANCE_SEEN = 1u;  // by camera rays
+SHADER_CONST uint INSTANCE_LIT = 2u;   // by shadow and indirect rays
+SHADER_CONST uint INSTANCE_FRONT = 4u; // by camera rays, which look for these before all else
+/// Bits 8..15: opacity * 255, a factor on the coverage of its triangles.
+SHADER_CONST uint INSTANCE_OPACITY_SHIFT = 8u;
+/// Its materials have a second texture behind the first: how much of each texel there is for camera rays.
+SHADER_CONST uint INSTANCE_CUTOUT = 0x10000u;
+/// Opaque, and met by all rays.
+SHADER_CONST uint INSTANCE_PLAIN = 0xff03u;
 
 /// What the BVH intersects: vertex and edges in object space. Stored in leaf order; the same index
 /// addresses `Primitive`.

@@ -28,9 +28,9 @@ SHADER_FN uint bvh_pending(uvec4 children, uint node) {
 /// Looks for a hit in (ray.t_min, hit.t) in the hierarchy whose first node is `root`; on success
 /// writes `hit` and returns true. Give hit.t = ray.t_max to start with. With `any_hit` the first
 /// hit found ends the walk, and only the return value is defined. `translucent` false promises that
-/// all triangles are opaque.
+/// all triangles are opaque; `opacity` is the instance's, 0..255.
 SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool any_hit,
-                            bool translucent, INOUT(Hit) hit) {
+                            bool translucent, uint opacity, INOUT(Hit) hit) {
     vec3 inverse = bvh_reciprocal3(ray.direction);
     uint stack[BVH_MAX_DEPTH];
     uint stack_size = 0u;
@@ -48,9 +48,11 @@ SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool a
         if (leaf) {
             BvhPairHit pair = bvh_pair_hit(a, b, c, ray.origin, ray.direction, ray.t_min, limit);
             if (translucent) {
-                if (!bvh_covered(meta.y, pair.front_of_first, seed, instance, meta.x))
+                uint first = bvh_faded(meta.y, opacity);
+                uint second = bvh_faded(meta.y >> 8, opacity);
+                if (!bvh_covered(first, pair.front_of_first, seed, instance, meta.x))
                     pair.t.x = BVH_MISS;
-                if (!bvh_covered(meta.y >> 8, pair.front_of_second, seed, instance, meta.x + 1u))
+                if (!bvh_covered(second, pair.front_of_second, seed, instance, meta.x + 1u))
                     pair.t.y = BVH_MISS;
             }
             float t = min(pair.t.x, pair.t.y);

@@ -42,10 +42,10 @@ BvhTriangle bvh_load_triangle(uint index) {
 
 #include "bvh_traverse.glsl"
 
-bool trace_backend(Ray ray, uint seed, bool any_hit, out Hit hit) {
+bool trace_backend(Ray ray, uint seed, uint mask, bool any_hit, out Hit hit) {
     hit = Hit(ray.t_max, NONE, NONE, vec2(0.0), false);
     if (!HAS_INSTANCES) {
-        return bvh_traverse(0u, ray, seed, 0u, any_hit, HAS_TRANSLUCENT, hit);
+        return bvh_traverse(0u, ray, seed, 0u, any_hit, HAS_TRANSLUCENT, 255u, hit);
     }
     // One loop over "the next hierarchy to walk", so that the walk is compiled once: first the
     // world, then whatever the top level finds.
@@ -53,10 +53,13 @@ bool trace_backend(Ray ray, uint seed, bool any_hit, out Hit hit) {
     Ray local = ray;
     uint root = 0u;
     uint instance = 0u;
+    uint flags = INSTANCE_PLAIN;
     uint next = 0u;
     bool found = false;
     while (true) {
-        if (bvh_traverse(root, local, seed, instance, any_hit, HAS_TRANSLUCENT, hit)) {
+        const uint opacity = HAS_EFFECTS ? bvh_opacity(flags) : 255u;
+        if ((!HAS_EFFECTS || (flags & mask) != 0u) &&
+            bvh_traverse(root, local, seed, instance, any_hit, HAS_TRANSLUCENT, opacity, hit)) {
             found = true;
             if (any_hit) return true;
         }
@@ -65,6 +68,10 @@ bool trace_backend(Ray ray, uint seed, bool any_hit, out Hit hit) {
         while (!leaf && next != TOP_END) {
             bool enters = bvh_box_entry(top_nodes[next].lower, top_nodes[next].upper, ray.origin,
                                         inverse, ray.t_min, hit.t) < 3e38;
+            if (HAS_EFFECTS && enters && top_nodes[next].instance != NONE) {
+                flags = top_nodes[next].flags;
+                enters = (flags & mask) != 0u;
+            }
             leaf = enters && top_nodes[next].instance != NONE;
             if (leaf) {
                 mat4x3 object_from_world = top_nodes[next].object_from_world;

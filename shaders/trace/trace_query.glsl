@@ -21,16 +21,17 @@ BvhTriangle bvh_load_triangle(uint index) {
 
 // How the structures are numbered: the n-th instance of the top level is Instance[n], its custom
 // index is its model's first triangle, and a model's triangles keep their order in all geometries.
+// Its binding table offset, which queries do not need, is its opacity.
 // A side is the front when the triangle faces the ray in object space, so mirroring transforms
 // change nothing, as in the compute backend.
-bool trace_backend(Ray ray, uint seed, bool any_hit, out Hit hit) {
+bool trace_backend(Ray ray, uint seed, uint mask, bool any_hit, out Hit hit) {
     hit = Hit(ray.t_max, NONE, NONE, vec2(0.0), false);
     // Queries with an empty interval are invalid.
     if (!(ray.t_min < ray.t_max)) return false;
     uint flags = any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT;
     if (!HAS_TRANSLUCENT) flags |= gl_RayFlagsOpaqueEXT;
     rayQueryEXT query;
-    rayQueryInitializeEXT(query, top_structure, flags, 0xffu, ray.origin, ray.t_min, ray.direction,
+    rayQueryInitializeEXT(query, top_structure, flags, mask, ray.origin, ray.t_min, ray.direction,
                           ray.t_max);
     // Only translucent triangles come up here; the device settles opaque ones alone.
     while (rayQueryProceedEXT(query)) {
@@ -39,7 +40,12 @@ bool trace_backend(Ray ray, uint seed, bool any_hit, out Hit hit) {
                          rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
         bool front = rayQueryGetIntersectionFrontFaceEXT(query, false);
         uint instance = rayQueryGetIntersectionInstanceIdEXT(query, false);
-        if (bvh_covered(bvh_triangles[primitive].flags, front, seed, instance, primitive))
+        uint coverage = bvh_triangles[primitive].flags;
+        if (HAS_EFFECTS)
+            coverage = bvh_faded(
+                coverage,
+                rayQueryGetIntersectionInstanceShaderBindingTableRecordOffsetEXT(query, false));
+        if (bvh_covered(coverage, front, seed, instance, primitive))
             rayQueryConfirmIntersectionEXT(query);
     }
     if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)

@@ -22,7 +22,7 @@ HostTracer::HostTracer(std::span<const BvhInputTriangle> triangles) : bvh_(build
 shader::Hit HostTracer::closest(const shader::Ray& ray) const {
     shader::host_nodes = bvh_.nodes;
     shader::Hit hit{ray.t_max, shader::NONE, shader::NONE, glm::vec2(0.0f), false};
-    if (shader::bvh_traverse(0, ray, 0, 0, false, false, hit))
+    if (shader::bvh_traverse(0, ray, 0, 0, false, false, 255, hit))
         hit.primitive = bvh_.order[hit.primitive];
     return hit;
 }

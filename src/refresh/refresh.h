@@ -30,35 +30,68 @@ namespace vigil::refresh {
 
 /// The camera. Angles in degrees: pitch (down positive), yaw (counter-clockwise from +x), roll.
 /// `fov` is Quake's: horizontal degrees on a 4:3 screen; wider screens see more (vertical angle
-/// kept).
+/// kept). Where `fov_y` is above 0 it is the vertical angle in degrees, and `fov` says nothing.
+/// Pixels are square: the horizontal angle follows.
 struct View {
     glm::vec3 origin{0.0f};
     glm::vec3 angles{0.0f};
     float fov = 90.0f;
+    float fov_y = 0.0f;
 };
 
 /// Index of a registered model; -1 draws nothing.
 using ModelHandle = int;
 
-/// One placed model. `number` is unique in a frame and stable while the entity exists.
+/// Index of a registered skin; -1: the model's own.
+using SkinHandle = int;
+
+/// Bits of Entity::flags. A path tracer sends camera rays, and from what they hit indirect rays and
+/// shadow rays ("light rays" together).
+enum EntityFlags : uint32_t {
+    /// Camera rays pass through it; it casts shadows, is reflected and lights as ever: the player's
+    /// own body.
+    entity_hidden_from_camera = 1,
+    /// Light rays pass through it: it casts no shadow, also none on itself, and nothing is lit by
+    /// it; its lamps are dark. Light falls on it as on anything.
+    entity_hidden_from_light = 2,
+    /// Camera rays see it before all that lacks this flag, however far away: a weapon that reaches
+    /// into a wall. Light falls on it where it is: what lies behind the wall is lit as there.
+    entity_in_front = 4,
+    entity_weapon = entity_hidden_from_light | entity_in_front,
+};
+
+/// One placed model. `number` is unique in a frame and stays the same while the entity exists; see
+/// docs/front-end.md for what happens where it does not.
 struct Entity {
     int number = 0;
     ModelHandle model = -1;
     glm::vec3 origin{0.0f};
-    glm::vec3 angles{0.0f};
-    int skin = 0;
-    int frame = 0; // MD2 key frames: shown is mix(frame, old_frame, backlerp)
+    glm::vec3 angles{0.0f}; // sprites look where the camera does instead
+    int skin = 0;           // of .md2: among the model's own
+    int frame = 0; // of .md2: shown is mix(frame, old_frame, backlerp); of .sp2: the picture
     int old_frame = 0;
     float backlerp = 0.0f;
+    // Opacity in steps of 1 / 255: the chance that a ray stops at a triangle (a factor on that of
+    // translucent faces). Below 1 triangles exist from their front only. 0 draws nothing.
+    float alpha = 1.0f;
+    uint32_t flags = 0; // EntityFlags
+    // Radiance (linear RGB) that a white texel shows to camera rays besides what it reflects. It
+    // lights nothing. particle_radiance is full brightness.
+    glm::vec3 glow{0.0f};
+    // Of .md2, unless it is 0: the model as a shell of this colour, 4 units outside of itself (0.5
+    // with entity_in_front). It shines as a Particle does, and light rays pass through it.
+    glm::vec3 shell{0.0f};
+    SkinHandle custom_skin = -1; // of .md2
 };
 
 /// A small glowing octahedron of `radius` units around `origin` that emits `radiance` (linear RGB).
-/// `id` stays the same while the light exists.
+/// `id` stays the same while the light exists. Camera rays pass through it unless it is `visible`.
 struct DynamicLight {
     uint32_t id = 0;
     glm::vec3 origin{0.0f};
     float radius = 2.0f;
     glm::vec3 radiance{0.0f};
+    bool visible = true;
 };
 
 /// A thin glowing spindle between two points (a laser); light as from a DynamicLight. `radius` is
@@ -90,6 +123,7 @@ struct Particle {
     glm::vec3 origin{0.0f};
     float size = 1.0f;     // from the middle to the corners, in map units
     glm::vec3 color{1.0f}; // linear, 0..1; there should be few different ones
+    float alpha = 1.0f;    // as an Entity's
 };
 
 /// Index of a registered picture.
@@ -219,9 +253,19 @@ public:
     /// are the same pictures. Of the settings it takes pt_subdivide.
     virtual void load_level(std::shared_ptr<const Level> level, const Settings& settings) = 0;
 
-    /// Handle of "*3" (brush model), "models/x.md2" or "models/x.glb"; loads it on first use.
-    /// Throws Error naming the file and the fault.
+    /// Handle of "*3" (brush model), "models/x.md2", "models/x.glb" or "sprites/x.sp2"; loads it on
+    /// first use. Light rays pass through sprites; their pictures' alpha is coverage, texel by
+    /// texel. Throws Error naming the file and the fault.
     virtual ModelHandle register_model(std::string_view name) = 0;
+
+    /// Handle of a picture that Entity::custom_skin may name, while the level lasts. Throws Error
+    /// naming the file if it cannot be read.
+    virtual SkinHandle register_skin(std::string_view name) = 0;
+
+    /// Shows another sky box ("env/NAMErt.pcx" and so on) than the level asks for, until the next
+    /// level. It turns with the frames' time about `axis`; the sun stays. Without pictures of that
+    /// name the sky is plain. Throws Error if no level is loaded.
+    virtual void set_sky(std::string_view name, float degrees_per_second, glm::vec3 axis) = 0;
 
     /// Handle of a picture for Draw, any image file ("pics/tag1.pcx", "textures/a.png"); loads it
     /// on first use. Levels come and go, pictures stay. Throws Error naming the file and the fault.

@@ -57,6 +57,8 @@ public:
         log_.models.emplace_back(name);
         return static_cast<refresh::ModelHandle>(log_.models.size()) - 1;
     }
+    refresh::SkinHandle register_skin(std::string_view) override { return 0; }
+    void set_sky(std::string_view, float, glm::vec3) override {}
     refresh::PictureHandle register_picture(std::string_view) override { return 0; }
     glm::ivec2 picture_size(refresh::PictureHandle) const override { return {1, 1}; }
     void watch_compilation(refresh::CompilationWatcher* watcher) override { watcher_ = watcher; }

@@ -39,14 +39,14 @@ void use(const Triangles& triangles) {
 shader::Hit closest(const shader::Ray& ray, std::uint32_t root = 0, std::uint32_t seed = 0,
                     bool translucent = false) {
     shader::Hit hit{ray.t_max, shader::NONE, shader::NONE, glm::vec2(0.0f), false};
-    const bool found = shader::bvh_traverse(root, ray, seed, 0, false, translucent, hit);
+    const bool found = shader::bvh_traverse(root, ray, seed, 0, false, translucent, 255, hit);
     EXPECT_EQ(found, hit.primitive != shader::NONE);
     return hit;
 }
 
 bool occluded(const shader::Ray& ray) {
     shader::Hit hit{ray.t_max, shader::NONE, shader::NONE, glm::vec2(0.0f), false};
-    return shader::bvh_traverse(0, ray, 0, 0, true, false, hit);
+    return shader::bvh_traverse(0, ray, 0, 0, true, false, 255, hit);
 }
 
 /// Traces `rays` both ways and compares with every triangle in double precision: what is hit must

@@ -58,7 +58,7 @@ TEST_F(Features, AreOnWhereTheLevelHasThem) {
         expect_text(row.features);
         // Compiled with everything, the same level gives the same picture but for rounding, which
         // may turn a few paths at edges. Lights stay as they are: they draw random numbers.
-        vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true};
+        vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true};
         everything.lights = row.features.lights;
         const std::vector<float> lean = trace(params(row.shot), row.features, 8);
         const std::vector<float> full = trace(params(row.shot), everything, 8);

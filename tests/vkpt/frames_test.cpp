@@ -53,7 +53,7 @@ TEST_F(Frames, EveryFeature) {
     Shot shot;
     shot.view = {{420, 40, 90}, {0, 50, 0}, 90};
     radiance(shot);
-    const vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true};
+    const vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true};
     EXPECT_TRUE(all_finite_nonnegative(trace(params(shot), everything, 1)));
 }
 

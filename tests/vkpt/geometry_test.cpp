@@ -235,10 +235,10 @@ TEST_F(Geometry, MeshesBringTheirLights) {
 TEST_F(Geometry, PosesMixTwoFrames) {
     const Md2 md2 = parse_md2("m.md2", small_md2());
     ASSERT_EQ(md2.frames.size(), 2u);
-    const ModelGeometry first = md2_geometry(md2, 0, 0, 0.0f, 5),
-                        second = md2_geometry(md2, 1, 1, 0.0f, 5);
+    const ModelGeometry first = md2_geometry(md2, {0, 0, 0.0f, 0.0f, 5}),
+                        second = md2_geometry(md2, {1, 1, 0.0f, 0.0f, 5});
     const ModelGeometry between =
-        md2_geometry(md2, 1, 0, 0.25f, 5); // a quarter of the old one is left
+        md2_geometry(md2, {1, 0, 0.25f, 0.0f, 5}); // a quarter of the old one is left
     ASSERT_EQ(first.triangles.size(), md2.indices.size() / 3);
     for (size_t i = 0; i < first.triangles.size(); ++i) {
         EXPECT_NEAR(glm::distance(between.triangles[i].v1,
@@ -248,8 +248,8 @@ TEST_F(Geometry, PosesMixTwoFrames) {
         EXPECT_EQ(between.primitives[i].uv2, md2.uvs[md2.indices[3 * i + 2]]);
     }
     // Frame numbers wrap, also below zero.
-    EXPECT_EQ(md2_geometry(md2, 3, -1, 0.0f, 5).triangles[0].v1, second.triangles[0].v1);
-    EXPECT_EQ(md2_geometry(md2, -2, -2, 0.0f, 5).triangles[0].v1, first.triangles[0].v1);
+    EXPECT_EQ(md2_geometry(md2, {3, -1, 0.0f, 0.0f, 5}).triangles[0].v1, second.triangles[0].v1);
+    EXPECT_EQ(md2_geometry(md2, {-2, -2, 0.0f, 0.0f, 5}).triangles[0].v1, first.triangles[0].v1);
 }
 
 TEST(Transform, QuakesAngles) {

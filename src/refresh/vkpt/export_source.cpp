@@ -51,22 +51,26 @@ public:
 
     ExportScene run() {
         out_.name = scene_.level().name;
-        std::map<std::pair<uint32_t, uint32_t>, uint32_t>
-            meshes; // by first triangle and first light
+        std::map<std::tuple<uint32_t, uint32_t, uint32_t>, uint32_t>
+            meshes; // by first triangle, first light and opacity
         for (size_t i = 0; i < scene_.host_instances().size(); ++i) {
             const shader::Instance& instance = scene_.host_instances()[i];
+            if ((instance.flags & shader::INSTANCE_LIT) == 0) continue; // a picture, not a thing
+            const uint32_t opacity = shader::bvh_opacity(instance.flags);
             const Scene::TriangleRange range = scene_.instance_triangles(i);
-            const auto [row, added] = meshes.emplace(std::pair(range.first, instance.first_light),
-                                                     static_cast<uint32_t>(out_.meshes.size()));
+            const auto [row, added] =
+                meshes.emplace(std::tuple(range.first, instance.first_light, opacity),
+                               static_cast<uint32_t>(out_.meshes.size()));
             const std::string name = i == 0 ? "world" : fmt::format("entity {}", instance.entity);
-            if (added) out_.meshes.push_back(mesh_of(name, range, instance.first_light));
+            if (added) out_.meshes.push_back(mesh_of(name, range, instance.first_light, opacity));
             out_.instances.push_back({name, row->second, instance.world_from_object});
         }
         return std::move(out_);
     }
 
 private:
-    ExportMesh mesh_of(const std::string& name, Scene::TriangleRange range, uint32_t first_light) {
+    ExportMesh mesh_of(const std::string& name, Scene::TriangleRange range, uint32_t first_light,
+                       uint32_t opacity) {
         ExportMesh mesh;
         mesh.name = name;
         std::map<uint32_t, size_t> parts; // export material -> primitive of the mesh
@@ -76,11 +80,12 @@ private:
             const shader::Material& material =
                 scene_.host_materials().materials()[primitive.material];
             if (material.flags & shader::MATERIAL_SKY) continue; // see sky_faces
-            const uint32_t coverage = triangle.flags & shader::TRIANGLE_COVERAGE_MASK;
+            const uint32_t coverage =
+                shader::bvh_faded(triangle.flags & shader::TRIANGLE_COVERAGE_MASK, opacity);
             glm::vec3 radiance(0.0f);
             if (primitive.light != shader::NONE)
                 radiance = scene_.lights().lights()[first_light + primitive.light].radiance *
-                           (255.0f / static_cast<float>(coverage));
+                           (255.0f / static_cast<float>(std::max(coverage, 1u)));
             const uint32_t look = material_of(primitive.material, radiance, coverage);
             const auto [part, added] = parts.emplace(look, mesh.primitives.size());
             if (added) mesh.primitives.push_back({look, {}, {}, {}});

@@ -9,11 +9,11 @@ namespace vigil::vkpt {
 
 class Scene;
 
-/// The camera's part: origin, axes, size, pixel angle. `view.fov` is horizontal at 4:3 (see
-/// refresh.h).
+/// The camera's part: origin, axes, size, pixel angle. `view.fov` is horizontal at 4:3, unless it
+/// says `fov_y` (see refresh.h).
 void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uvec2 size);
 
-/// Sky, sun and light count.
-void set_scene(shader::FrameParams& params, const Scene& scene);
+/// Time, sky, sun and light count.
+void set_scene(shader::FrameParams& params, const Scene& scene, double time_s);
 
 } // namespace vigil::vkpt

@@ -34,6 +34,7 @@ std::vector<gpu::Specialization> specialization(const SceneFeatures& features,
                                                 const GuideChoice& guide) {
     return {{CONSTANT_INSTANCES, features.instances},
             {CONSTANT_TRANSLUCENT, features.translucent},
+            {CONSTANT_EFFECTS, features.effects},
             {CONSTANT_SKY, features.sky},
             {CONSTANT_SUN, features.sun},
             {CONSTANT_GLOSS, features.gloss},

@@ -90,6 +90,16 @@ refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
     return scene_->register_model(name);
 }
 
+refresh::SkinHandle VkptRenderer::register_skin(std::string_view name) {
+    if (!scene_) fail("{}: no level is loaded", name);
+    return scene_->register_skin(name);
+}
+
+void VkptRenderer::set_sky(std::string_view name, float degrees_per_second, glm::vec3 axis) {
+    if (!scene_) fail("sky {}: no level is loaded", name);
+    scene_->set_sky(name, degrees_per_second, axis);
+}
+
 glm::uvec2 VkptRenderer::screen_size() const {
     if (surface_) {
         const glm::ivec2 size = surface_->framebuffer_size();
@@ -258,9 +268,7 @@ shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     shader::FrameParams params{};
     params.settings = gpu_settings(settings_);
     set_camera(params, frame.view, path_tracer_.size());
-    set_scene(params, *scene_);
-    params.time_s =
-        static_cast<float>(std::fmod(frame.time_s, 4096.0)); // keeps its digits for days
+    set_scene(params, *scene_, frame.time_s);
     return params;
 }
 

@@ -30,6 +30,8 @@ public:
     bool compiling() const override { return !compiler_.idle(); }
     void load_level(std::shared_ptr<const Level> level, const refresh::Settings& settings) override;
     refresh::ModelHandle register_model(std::string_view name) override;
+    refresh::SkinHandle register_skin(std::string_view name) override;
+    void set_sky(std::string_view name, float degrees_per_second, glm::vec3 axis) override;
     refresh::PictureHandle register_picture(std::string_view name) override {
         return draws_.register_picture(files_, name);
     }

@@ -2,6 +2,7 @@
 #include "refresh/vkpt/scene/acceleration_structure.h"
 
 #include "common/error.h"
+#include "shared/bvh.h"
 
 #include <algorithm>
 #include <cstring>
@@ -296,7 +297,10 @@ bool AccelerationStructures::prepare_top(std::span<const QueryModel> models,
         VkAccelerationStructureInstanceKHR instance{};
         instance.transform = row_major(instances[i].world_from_object);
         instance.instanceCustomIndex = model.first_triangle & max_custom_index;
-        instance.mask = 0xff;
+        instance.mask = instances[i].flags & 0xff;
+        const uint32_t opacity = shader::bvh_opacity(instances[i].flags);
+        instance.instanceShaderBindingTableRecordOffset = opacity & 0xff;
+        if (opacity < 255) instance.flags = VK_GEOMETRY_INSTANCE_FORCE_NO_OPAQUE_BIT_KHR;
         instance.accelerationStructureReference = bottoms_[instance_models[i]].address;
         placed.push_back(instance);
     }

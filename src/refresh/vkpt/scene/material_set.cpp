@@ -121,6 +121,10 @@ uint32_t MaterialSet::picture_material(const std::string& path) {
     return add(plain_material(textures_.picture(path)));
 }
 
+uint32_t MaterialSet::cutout_material(const std::string& path) {
+    return add(plain_material(textures_.cutout(path)));
+}
+
 uint32_t MaterialSet::lamp_material() {
     MeshMaterial lamp;
     lamp.base_color = glm::vec4(glm::vec3(0.5f), 1.0f);

@@ -39,6 +39,8 @@ public:
     uint32_t mesh_material(const MeshMaterial& material);
     /// A diffuse material with a picture, such as a skin.
     uint32_t picture_material(const std::string& path);
+    /// The same of a picture whose alpha says how much of each texel there is (INSTANCE_CUTOUT).
+    uint32_t cutout_material(const std::string& path);
     /// A black material that emits: the body of a dynamic light.
     uint32_t lamp_material();
     /// A black material: what hides a light.

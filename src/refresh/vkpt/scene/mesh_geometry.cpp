@@ -3,15 +3,10 @@
 
 namespace vigil::vkpt {
 
-namespace {
-
-/// `frame` modulo the number of frames, also for negative numbers.
-size_t wrap_frame(int frame, size_t count) {
-    const int rest = frame % static_cast<int>(count);
+size_t wrap_frame(int number, size_t count) {
+    const int rest = number % static_cast<int>(count);
     return static_cast<size_t>(rest < 0 ? rest + static_cast<int>(count) : rest);
 }
-
-} // namespace
 
 ModelGeometry mesh_geometry(const Mesh& mesh, MaterialSet& materials) {
     std::vector<uint32_t> indices;
@@ -46,13 +41,15 @@ ModelGeometry mesh_geometry(const Mesh& mesh, MaterialSet& materials) {
     return geometry;
 }
 
-ModelGeometry md2_geometry(const Md2& md2, int frame, int old_frame, float backlerp,
-                           uint32_t material) {
-    const std::vector<glm::vec3>& now = md2.frames[wrap_frame(frame, md2.frames.size())].positions;
-    const std::vector<glm::vec3>& before =
-        md2.frames[wrap_frame(old_frame, md2.frames.size())].positions;
+ModelGeometry md2_geometry(const Md2& md2, const Md2Pose& pose) {
+    const Md2Frame& now = md2.frames[wrap_frame(pose.frame, md2.frames.size())];
+    const Md2Frame& before = md2.frames[wrap_frame(pose.old_frame, md2.frames.size())];
     const auto position = [&](uint32_t index) {
-        return glm::mix(now[index], before[index], backlerp);
+        glm::vec3 place = glm::mix(now.positions[index], before.positions[index], pose.backlerp);
+        if (pose.swell != 0.0f)
+            place +=
+                pose.swell * glm::mix(now.normals[index], before.normals[index], pose.backlerp);
+        return place;
     };
     ModelGeometry geometry;
     for (size_t i = 0; i + 2 < md2.indices.size(); i += 3) {
@@ -61,11 +58,34 @@ ModelGeometry md2_geometry(const Md2& md2, int frame, int old_frame, float backl
         primitive.uv0 = md2.uvs[a];
         primitive.uv1 = md2.uvs[b];
         primitive.uv2 = md2.uvs[c];
-        primitive.material = material;
+        primitive.material = pose.material;
         primitive.light = shader::NONE;
         primitive.cluster = shader::NONE;
         // Degenerate triangles stay: every pose of a model has the same number.
         geometry.triangles.push_back({position(a), position(b), position(c), 255});
+        geometry.primitives.push_back(primitive);
+    }
+    return geometry;
+}
+
+ModelGeometry sprite_geometry(const Sp2Frame& frame, uint32_t material) {
+    const glm::vec2 low(-frame.origin), high = low + glm::vec2(frame.size); // to the right, up
+    const auto corner = [](float right, float up) { return glm::vec3(0.0f, -right, up); };
+    shader::Primitive primitive{};
+    primitive.material = material;
+    primitive.light = shader::NONE;
+    primitive.cluster = shader::NONE;
+    ModelGeometry geometry;
+    for (const bool upper : {false, true}) {
+        // From the lower left to the upper right by way of the other corners.
+        primitive.uv0 = {0.0f, 1.0f};
+        primitive.uv1 = upper ? glm::vec2(1.0f, 0.0f) : glm::vec2(1.0f, 1.0f);
+        primitive.uv2 = upper ? glm::vec2(0.0f, 0.0f) : glm::vec2(1.0f, 0.0f);
+        const auto place = [&](const glm::vec2& uv) {
+            return corner(uv.x == 0.0f ? low.x : high.x, uv.y == 0.0f ? high.y : low.y);
+        };
+        geometry.triangles.push_back(
+            {place(primitive.uv0), place(primitive.uv1), place(primitive.uv2), 255});
         geometry.primitives.push_back(primitive);
     }
     return geometry;

@@ -6,9 +6,15 @@
 #include "refresh/vkpt/scene/bvh_builder.h"
 #include "shared/scene_types.h"
 
+#include <cmath>
 #include <vector>
 
 namespace vigil::vkpt {
+
+/// Opacity 0..1 as coverage 0..255; what lies outside, or is no number, is brought inside.
+inline uint32_t coverage_of(float alpha) {
+    return alpha > 0.0f ? static_cast<uint32_t>(std::lround(255.0f * glm::min(alpha, 1.0f))) : 0;
+}
 
 /// An emissive triangle of a model, in object space.
 struct LightSource {

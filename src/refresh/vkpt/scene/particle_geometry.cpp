@@ -37,7 +37,7 @@ ModelGeometry particle_geometry(const refresh::Frame& frame, size_t capacity,
         const glm::vec3 foot = particle.origin - 0.5f * particle.size * axes.up;
         const glm::vec3 side = 0.866f * particle.size * axes.right;
         primitive.material = materials.particle_material(particle.color);
-        geometry.triangles.push_back({top, foot - side, foot + side, 255});
+        geometry.triangles.push_back({top, foot - side, foot + side, coverage_of(particle.alpha)});
         geometry.primitives.push_back(primitive);
     }
     const glm::vec3 nowhere =

@@ -5,7 +5,6 @@
 #include "common/file_system.h"
 #include "common/log.h"
 #include "level/level.h"
-#include "refresh/vkpt/scene/mesh_geometry.h"
 #include "refresh/vkpt/scene/particle_geometry.h"
 #include "refresh/vkpt/scene/subdivide.h"
 #include "refresh/vkpt/scene/transform.h"
@@ -27,6 +26,8 @@ constexpr uint64_t beam_key_base = uint64_t{3} << 32;
 constexpr uint64_t spot_key_base = uint64_t{5} << 32;
 constexpr uint64_t particles_key = uint64_t{4} << 32;
 constexpr size_t least_particles = 256;
+// How far a shell stands off its model, as in Quake II, in map units.
+constexpr float shell_swell = 4.0f, front_shell_swell = 0.5f;
 
 /// Makes `buffer` at least as large as `bytes`, with room to grow. Returns true if it was made
 /// anew.
@@ -65,10 +66,7 @@ Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr
 void Scene::read_sky() {
     const vigil::Entity& world = level_->bsp.worldspawn();
     sky_.name = world.get_string("sky");
-    if (!sky_.name.empty()) sky_.texture = textures_->sky_box(sky_.name);
-    // Without pictures: an even grey-blue sky, or the colour the level asks for.
-    sky_.radiance = sky_.texture ? glm::vec3(1.0f)
-                                 : world.get_vec3("_sky_color", glm::vec3(0.25f, 0.35f, 0.5f));
+    find_sky_pictures();
     const float strength = world.get_float("_sun_light", 0.0f) * radiance_per_light_value;
     sky_.sun_irradiance =
         std::max(strength, 0.0f) * glm::max(world.get_vec3("_sun_color", glm::vec3(1.0f)), 0.0f);
@@ -77,6 +75,25 @@ void Scene::read_sky() {
     const glm::vec3 mangle = world.get_vec3("_sun_mangle", angle);
     const glm::vec3 along = rotation_from_angles(glm::vec3(-mangle.y, mangle.x, 0.0f))[0];
     sky_.sun_direction = -glm::normalize(along);
+}
+
+void Scene::find_sky_pictures() {
+    sky_.texture.reset();
+    if (!sky_.name.empty()) sky_.texture = textures_->sky_box(sky_.name);
+    // Without pictures: an even grey-blue sky, or the colour the level asks for.
+    const glm::vec3 plain =
+        level_->bsp.worldspawn().get_vec3("_sky_color", glm::vec3(0.25f, 0.35f, 0.5f));
+    sky_.radiance = sky_.texture ? glm::vec3(1.0f) : plain;
+}
+
+void Scene::set_sky(std::string_view name, float degrees_per_second, const glm::vec3& axis) {
+    const bool turns = degrees_per_second != 0.0f && glm::length(axis) > 0.0f;
+    sky_.degrees_per_second = turns ? degrees_per_second : 0.0f;
+    if (turns) sky_.axis = glm::normalize(axis);
+    if (name == sky_.name) return;
+    sky_.name = name;
+    find_sky_pictures();
+    static_dirty_ = true;
 }
 
 size_t Scene::place_model(std::string name, ModelGeometry geometry, Deforms deforms) {
@@ -139,8 +156,8 @@ refresh::ModelHandle Scene::register_model(std::string_view name) {
         if (parsed.ec != std::errc() || parsed.ptr != name.data() + name.size() || index == 0 ||
             index >= level_->bsp.models.size())
             fail("{}: the level has brush models *1 to *{}", name, level_->bsp.models.size() - 1);
-        model.placed =
-            place_model(model.name, brush_model_geometry(*level_, index, *materials_), Deforms::No);
+        model.frames.push_back(place_model(
+            model.name, brush_model_geometry(*level_, index, *materials_), Deforms::No));
     } else if (name.ends_with(".md2")) {
         model.md2 = std::make_shared<Md2>(parse_md2(name, files_.read(name)));
         for (const std::string& skin : model.md2->skins)
@@ -148,11 +165,17 @@ refresh::ModelHandle Scene::register_model(std::string_view name) {
         if (model.skin_materials.empty())
             model.skin_materials.push_back(materials_->picture_material(model.name + " skin"));
     } else if (name.ends_with(".glb")) {
-        model.placed =
+        model.frames.push_back(
             place_model(model.name, mesh_geometry(parse_glb(name, files_.read(name)), *materials_),
-                        Deforms::No);
+                        Deforms::No));
+    } else if (name.ends_with(".sp2")) {
+        model.sprite = true;
+        for (const Sp2Frame& frame : parse_sp2(name, files_.read(name)))
+            model.frames.push_back(place_model(
+                model.name, sprite_geometry(frame, materials_->cutout_material(frame.picture)),
+                Deforms::No));
     } else {
-        fail("{}: models are *N, .md2 or .glb", name);
+        fail("{}: models are *N, .md2, .sp2 or .glb", name);
     }
     models_.push_back(std::move(model));
     const auto handle = static_cast<refresh::ModelHandle>(models_.size() - 1);
@@ -161,48 +184,61 @@ refresh::ModelHandle Scene::register_model(std::string_view name) {
     return handle;
 }
 
+refresh::SkinHandle Scene::register_skin(std::string_view name) {
+    const std::string path(name);
+    if (textures_->picture(path).file.empty()) fail("{}: not a picture that can be read", name);
+    const uint32_t material = materials_->picture_material(path);
+    const auto known = std::find(skins_.begin(), skins_.end(), material);
+    if (known != skins_.end()) return static_cast<refresh::SkinHandle>(known - skins_.begin());
+    static_dirty_ = true;
+    skins_.push_back(material);
+    return static_cast<refresh::SkinHandle>(skins_.size() - 1);
+}
+
 size_t Scene::pose_of(const refresh::Entity& entity) {
     const Model& model = models_[static_cast<size_t>(entity.model)];
-    auto known = poses_.find(entity.number);
-    if (known == poses_.end() || known->second.model != entity.model) {
+    Md2Pose shown{entity.frame, entity.old_frame, entity.backlerp, 0.0f, 0};
+    if (entity.shell != glm::vec3(0.0f)) {
+        shown.material = materials_->particle_material(entity.shell);
+        shown.swell =
+            (entity.flags & refresh::entity_in_front) != 0 ? front_shell_swell : shell_swell;
+    } else if (entity.custom_skin >= 0 && static_cast<size_t>(entity.custom_skin) < skins_.size()) {
+        shown.material = skins_[static_cast<size_t>(entity.custom_skin)];
+    } else {
+        const int last = static_cast<int>(model.skin_materials.size()) - 1;
+        shown.material =
+            model.skin_materials[static_cast<size_t>(std::clamp(entity.skin, 0, last))];
+    }
+    const std::pair key(entity.model, entity.number);
+    auto known = poses_.find(key);
+    if (known == poses_.end()) {
         // Take over an unused slot of the same model, else make one.
         const auto unused = std::find_if(poses_.begin(), poses_.end(), [&](const auto& row) {
-            return !row.second.used && row.second.model == entity.model &&
-                   row.first != entity.number;
+            return !row.second.used && row.first.first == entity.model;
         });
         Pose pose;
         if (unused != poses_.end()) {
             pose = unused->second;
             poses_.erase(unused);
-            pose.frame = entity.frame + 1; // differs: is written below
         } else {
-            pose.model = entity.model;
-            pose.frame = entity.frame + 1;
-            const uint32_t skin = model.skin_materials.front();
-            pose.placed =
-                place_model(model.name, md2_geometry(*model.md2, 0, 0, 0.0f, skin), Deforms::Yes);
+            pose.shown = shown;
+            pose.placed = place_model(model.name, md2_geometry(*model.md2, shown), Deforms::Yes);
         }
-        known = poses_.insert_or_assign(entity.number, pose).first;
+        known = poses_.emplace(key, pose).first;
     }
     Pose& pose = known->second;
     pose.used = true;
-    const int skin = std::clamp(entity.skin, 0, static_cast<int>(model.skin_materials.size()) - 1);
-    if (pose.frame != entity.frame || pose.old_frame != entity.old_frame ||
-        pose.backlerp != entity.backlerp || pose.skin != skin) {
-        pose.frame = entity.frame;
-        pose.old_frame = entity.old_frame;
-        pose.backlerp = entity.backlerp;
-        pose.skin = skin;
-        write_model(placed_[pose.placed],
-                    md2_geometry(*model.md2, pose.frame, pose.old_frame, pose.backlerp,
-                                 model.skin_materials[static_cast<size_t>(skin)]));
+    if (pose.shown != shown) {
+        pose.shown = shown;
+        write_model(placed_[pose.placed], md2_geometry(*model.md2, shown));
         changed_.push_back(pose.placed);
     }
     return pose.placed;
 }
 
 void Scene::add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
-                         uint32_t first_light, uint64_t key, uint32_t entity) {
+                         uint32_t first_light, uint64_t key, uint32_t entity,
+                         const InstanceLook& look) {
     shader::Instance instance{};
     instance.world_from_object = transform;
     instance.object_from_world = inverse_transform(transform);
@@ -211,24 +247,51 @@ void Scene::add_instance(const Placed& placed, size_t placed_index, const glm::m
         before != previous_transforms_.end() ? before->second : transform;
     instance.bvh_root = placed.root;
     instance.first_light = first_light;
+    instance.flags = look.flags;
     instance.entity = entity;
+    instance.glow = look.glow;
     transforms_[key] = transform;
     const auto index = static_cast<uint32_t>(instances_.size());
     if (index > 0)
         top_instances_.push_back(
-            {placed.bounds, transform, instance.object_from_world, placed.root, index});
+            {placed.bounds, transform, instance.object_from_world, placed.root, index, look.flags});
     instances_.push_back(instance);
     instance_placed_.push_back(placed_index);
 }
 
 void Scene::add_model(size_t placed_index, const glm::mat4x3& transform, const glm::vec3& tint,
-                      uint64_t key, uint32_t entity) {
+                      uint64_t key, uint32_t entity, const InstanceLook& look) {
     const Placed& placed = placed_[placed_index];
-    if (const auto first_light = lights_.place(key, placed.lights, transform, tint))
-        add_instance(placed, placed_index, transform, *first_light, key, entity);
+    // Light that its rays do not find is none.
+    const float share = (look.flags & shader::INSTANCE_LIT) != 0
+                            ? static_cast<float>(shader::bvh_opacity(look.flags)) / 255.0f
+                            : 0.0f;
+    if (const auto first_light = lights_.place(key, placed.lights, transform, share * tint))
+        add_instance(placed, placed_index, transform, *first_light, key, entity, look);
     else if (!std::exchange(told_of_lights_, true))
         log_warning("{}: its entities have more than {} lights; those beyond are not shown",
                     level_->bsp.name, max_moving_lights);
+}
+
+void Scene::add_entity(const refresh::Entity& entity, const refresh::View& view) {
+    if (entity.model < 0 || entity.model >= static_cast<int>(models_.size())) return;
+    const Model& model = models_[static_cast<size_t>(entity.model)];
+    const bool for_camera_alone = model.sprite || (model.md2 && entity.shell != glm::vec3(0.0f));
+    InstanceLook look;
+    look.flags = coverage_of(entity.alpha) << shader::INSTANCE_OPACITY_SHIFT;
+    if (look.flags == 0) return;
+    if ((entity.flags & refresh::entity_hidden_from_camera) == 0)
+        look.flags |= (entity.flags & refresh::entity_in_front) != 0 ? shader::INSTANCE_FRONT
+                                                                     : shader::INSTANCE_SEEN;
+    if ((entity.flags & refresh::entity_hidden_from_light) == 0 && !for_camera_alone)
+        look.flags |= shader::INSTANCE_LIT;
+    if (model.sprite) look.flags |= shader::INSTANCE_CUTOUT;
+    look.glow = glm::max(entity.glow, 0.0f);
+    const size_t placed =
+        model.md2 ? pose_of(entity) : model.frames[wrap_frame(entity.frame, model.frames.size())];
+    const auto number = static_cast<uint32_t>(entity.number);
+    add_model(placed, rigid_transform(entity.origin, model.sprite ? view.angles : entity.angles),
+              glm::vec3(1.0f), entity_key_base + number, number, look);
 }
 
 void Scene::add_particles(const refresh::Frame& frame) {
@@ -262,22 +325,20 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
     lights_.begin_frame(frame.light_styles, emissive_scale);
     const glm::mat4x3 identity(1.0f);
     add_instance(placed_[0], 0, identity, 0, 0, 0);
-    for (const refresh::Entity& entity : frame.entities) {
-        if (entity.model < 0 || entity.model >= static_cast<int>(models_.size())) continue;
-        const Model& model = models_[static_cast<size_t>(entity.model)];
-        const size_t index = model.placed ? *model.placed : pose_of(entity);
-        add_model(index, rigid_transform(entity.origin, entity.angles), glm::vec3(1.0f),
-                  entity_key_base + static_cast<uint32_t>(entity.number),
-                  static_cast<uint32_t>(entity.number));
-    }
+    const size_t materials = materials_->materials().size();
+    for (const refresh::Entity& entity : frame.entities)
+        add_entity(entity, frame.view);
+    static_dirty_ |= materials_->materials().size() != materials; // a new colour of a shell
     add_particles(frame);
     if ((!frame.dynamic_lights.empty() || !frame.beams.empty()) && !dynamic_light_model_)
         dynamic_light_model_ = place_model(
             "dynamic light", dynamic_light_geometry(materials_->lamp_material()), Deforms::No);
     for (const refresh::DynamicLight& light : frame.dynamic_lights) {
         if (!(light.radius > 0.0f)) continue;
+        InstanceLook look;
+        if (!light.visible) look.flags &= ~shader::INSTANCE_SEEN;
         add_model(*dynamic_light_model_, scale_transform(light.origin, light.radius),
-                  light.radiance, dynamic_light_key_base + light.id, light.id);
+                  light.radiance, dynamic_light_key_base + light.id, light.id, look);
     }
     for (const refresh::Beam& beam : frame.beams) {
         if (!is_visible(beam)) continue;
@@ -373,6 +434,11 @@ void Scene::update_features(bool any_instances) {
         std::any_of(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
             return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
         });
+    for (const shader::Instance& instance : instances_) {
+        features.effects |=
+            instance.flags != shader::INSTANCE_PLAIN || instance.glow != glm::vec3(0.0f);
+        features.translucent |= shader::bvh_opacity(instance.flags) != 255;
+    }
     features.lights = !lights_.lights().empty();
     features.instances = any_instances;
     features_ = features;
@@ -422,6 +488,8 @@ std::string Scene::describe() const {
     text += row(
         features_.instances, "instances",
         fmt::format("{} besides the static world", instances_.empty() ? 0 : instances_.size() - 1));
+    text += row(features_.effects, "effects",
+                "entities that fade, glow, are sprites or hidden from some rays");
     uint64_t bytes = 0;
     for (const gpu::Buffer* buffer :
          {&nodes_buffer_, &triangles_buffer_, &primitives_buffer_, &top_buffer_, &instances_buffer_,

@@ -4,12 +4,12 @@
 // which features the level uses.
 #pragma once
 
-#include "formats/md2.h"
 #include "refresh/refresh.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/scene/acceleration_structure.h"
 #include "refresh/vkpt/scene/light_set.h"
 #include "refresh/vkpt/scene/material_set.h"
+#include "refresh/vkpt/scene/mesh_geometry.h"
 #include "refresh/vkpt/scene/node_view.h"
 #include "refresh/vkpt/scene/top_level.h"
 
@@ -31,12 +31,16 @@ struct SceneFeatures {
     bool animation = false;
     bool lights = false;
     bool instances = false;
+    bool effects =
+        false; // what frames, not levels, bring: fading, glow, sprites, what some rays miss
     bool operator==(const SceneFeatures&) const = default;
 };
 
-/// Sky and sun as worldspawn describes them.
+/// Sky and sun as worldspawn describes them, or the front end (the sky alone).
 struct SkyDescription {
     std::string name;
+    float degrees_per_second = 0.0f; // about the axis, counter-clockwise
+    glm::vec3 axis{0.0f, 0.0f, 1.0f};
     std::optional<uint32_t> texture; // first of six headers
     glm::vec3 radiance{0.0f};        // factor on texels, or the radiance itself without a texture
     glm::vec3 sun_direction{0.0f, 0.0f, 1.0f};
@@ -48,12 +52,20 @@ inline bool is_visible(const refresh::Beam& beam) {
     return beam.radius > 0.0f && beam.from != beam.to;
 }
 
+/// What an instance has besides its place.
+struct InstanceLook {
+    uint32_t flags = shader::INSTANCE_PLAIN;
+    glm::vec3 glow{0.0f};
+};
+
 class Scene {
 public:
     Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
           int subdivisions);
 
     refresh::ModelHandle register_model(std::string_view name);
+    refresh::SkinHandle register_skin(std::string_view name);
+    void set_sky(std::string_view name, float degrees_per_second, const glm::vec3& axis);
 
     /// Brings the scene to this frame on the host: instances, lights, poses. Returns true if a
     /// buffer was made anew, so that descriptors must be written again; the GPU must be idle then,
@@ -120,29 +132,31 @@ private:
     };
     struct Model {
         std::string name;
-        std::optional<size_t> placed;   // rigid models
+        std::vector<size_t> frames; // rigid models: one; sprites: their quads
+        bool sprite = false;
         std::shared_ptr<const Md2> md2; // animated ones
         std::vector<uint32_t> skin_materials;
     };
     struct Pose {
         size_t placed = 0;
-        refresh::ModelHandle model = -1;
-        int frame = 0, old_frame = 0, skin = 0;
-        float backlerp = 0.0f;
+        Md2Pose shown;
         bool used = false;
     };
 
     void read_sky();
+    void find_sky_pictures();
     enum class Deforms { No, Yes };
     size_t place_model(std::string name, ModelGeometry geometry, Deforms deforms);
     void write_model(Placed& placed, const ModelGeometry& geometry);
     size_t pose_of(const refresh::Entity& entity);
+    void add_entity(const refresh::Entity& entity, const refresh::View& view);
     void add_particles(const refresh::Frame& frame);
     /// Adds an instance with its lights, unless there is no room for these.
     void add_model(size_t placed_index, const glm::mat4x3& transform, const glm::vec3& tint,
-                   uint64_t key, uint32_t entity);
+                   uint64_t key, uint32_t entity, const InstanceLook& look = {});
     void add_instance(const Placed& placed, size_t placed_index, const glm::mat4x3& transform,
-                      uint32_t first_light, uint64_t key, uint32_t entity);
+                      uint32_t first_light, uint64_t key, uint32_t entity,
+                      const InstanceLook& look = {});
     void update_features(bool any_instances);
     bool upload_static();
 
@@ -162,7 +176,8 @@ private:
     std::vector<Placed> placed_;
     std::vector<Model> models_;
     std::map<std::string, refresh::ModelHandle, std::less<>> model_names_;
-    std::map<int, Pose> poses_;   // by entity number
+    std::vector<uint32_t> skins_;                                // materials
+    std::map<std::pair<refresh::ModelHandle, int>, Pose> poses_; // by model and entity number
     std::vector<size_t> changed_; // placed models whose geometry was written since the last upload
     std::optional<size_t> dynamic_light_model_;
     std::optional<size_t> spot_model_;

@@ -102,15 +102,18 @@ std::optional<Image> TextureSet::load(const std::string& path) {
 }
 
 TextureSet::Entry TextureSet::add(const Image& image, bool mips) {
+    return add(linear_texels(image), image.width, image.height, mips);
+}
+
+TextureSet::Entry TextureSet::add(std::vector<glm::vec3> level, uint32_t width, uint32_t height,
+                                  bool mips) {
     Entry entry;
     entry.header = static_cast<uint32_t>(headers_.size());
-    entry.uv_size = {image.width, image.height};
+    entry.uv_size = {width, height};
     shader::Texture header{};
     header.first_texel = static_cast<uint32_t>(texels_.size());
-    header.width = image.width;
-    header.height = image.height;
-    std::vector<glm::vec3> level = linear_texels(image);
-    uint32_t width = image.width, height = image.height;
+    header.width = width;
+    header.height = height;
     glm::dvec3 sum(0.0);
     while (true) {
         ++header.mip_count;
@@ -123,7 +126,7 @@ TextureSet::Entry TextureSet::add(const Image& image, bool mips) {
         width = std::max(width / 2, 1u);
         height = std::max(height / 2, 1u);
     }
-    entry.mean = glm::vec3(sum / static_cast<double>(size_t{image.width} * image.height));
+    entry.mean = glm::vec3(sum / static_cast<double>(size_t{header.width} * header.height));
     headers_.push_back(header);
     return entry;
 }
@@ -160,6 +163,20 @@ const TextureSet::Entry& TextureSet::picture(const std::string& path) {
     Entry entry = add(image ? *image : checker_image(), true);
     if (image) entry.file = path;
     return entries_.emplace(path, entry).first->second;
+}
+
+const TextureSet::Entry& TextureSet::cutout(const std::string& path) {
+    const std::string key = "cutout " + path;
+    if (const auto known = entries_.find(key); known != entries_.end()) return known->second;
+    std::optional<Image> image = load(path);
+    if (!image) missing_.push_back(path);
+    if (!image) image = checker_image();
+    const Entry entry = add(*image, true);
+    std::vector<glm::vec3> alpha(size_t{image->width} * image->height);
+    for (size_t i = 0; i < alpha.size(); ++i)
+        alpha[i] = glm::vec3(static_cast<float>(image->rgba[4 * i + 3]) / 255.0f);
+    add(std::move(alpha), image->width, image->height, true);
+    return entries_.emplace(key, entry).first->second;
 }
 
 const TextureSet::Entry& TextureSet::flat(glm::vec3 color) {

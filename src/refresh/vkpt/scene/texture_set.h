@@ -40,6 +40,8 @@ public:
     const Entry& texture(std::string_view name);
     /// A texture by its file path, such as a model's skin.
     const Entry& picture(const std::string& path);
+    /// The same, with a texture of its alpha (0..1 in each channel) at the header behind it.
+    const Entry& cutout(const std::string& path);
     /// A one-texel texture of a colour in linear RGB.
     const Entry& flat(glm::vec3 color);
     /// The frames of an animation as consecutive headers; returns the first index.
@@ -55,6 +57,7 @@ public:
 private:
     std::optional<Image> load(const std::string& path);
     Entry add(const Image& image, bool mips);
+    Entry add(std::vector<glm::vec3> texels, uint32_t width, uint32_t height, bool mips);
     const Palette* palette();
 
     const FileSystem& files_;

@@ -31,6 +31,7 @@ void write_subtree(const SahNode& tree, std::span<const SahItem> items,
         nodes[index].instance = source.instance;
         nodes[index].object_from_world = source.object_from_world;
         nodes[index].root = source.bvh_root;
+        nodes[index].flags = source.flags;
     } else {
         write_subtree(*tree.child[0], items, instances, nodes);
         write_subtree(*tree.child[1], items, instances, nodes);

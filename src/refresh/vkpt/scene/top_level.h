@@ -20,6 +20,7 @@ struct TopLevelInstance {
     glm::mat4x3 object_from_world{1.0f}; // the inverse of the above
     std::uint32_t bvh_root = 0;          // from append_bvh
     std::uint32_t instance = 0; // index in Instance[]; the static world, 0, does not belong here
+    std::uint32_t flags = shader::INSTANCE_PLAIN; // as in Instance[]
 };
 
 /// Box in world space around the transformed box.

@@ -3,6 +3,7 @@
 // degrees.
 #pragma once
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/glm.hpp>
 
 #include <cmath>
@@ -16,6 +17,12 @@ inline glm::mat3 rotation_from_angles(const glm::vec3& angles) {
     const glm::vec3 forward(c.x * c.y, c.x * s.y, -s.x);
     const glm::vec3 left(s.z * s.x * c.y - c.z * s.y, s.z * s.x * s.y + c.z * c.y, s.z * c.x);
     return {forward, left, glm::cross(forward, left)};
+}
+
+/// Turns counter-clockwise about a unit axis that looks at the viewer.
+inline glm::mat3 rotation_about(const glm::vec3& axis, float degrees) {
+    const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), glm::radians(degrees), axis);
+    return degrees == 0.0f ? glm::mat3(1.0f) : glm::mat3(turn);
 }
 
 inline glm::mat4x3 rigid_transform(const glm::vec3& origin, const glm::vec3& angles) {
