@@ -74,6 +74,7 @@ void TraceRig::finish(bool translucent) {
     const auto make = [&](bool any_hit) {
         const std::array constants{gpu::Specialization{CONSTANT_INSTANCES, !instances_.empty()},
                                    gpu::Specialization{CONSTANT_TRANSLUCENT, translucent},
+                                   gpu::Specialization{CONSTANT_EFFECTS, false},
                                    gpu::Specialization{CONSTANT_ANY_HIT, any_hit}};
         return gpu::ComputePipeline(device_, layout_.get(), nullptr, code, constants, "rays");
     };

@@ -103,6 +103,7 @@ TEST(Damage, RealLevels) {
 }
 
 TEST(Damage, Models) {
+    survive(small_sp2(), 4000, 22, [](const Bytes& bytes) { parse_sp2("x.sp2", bytes); });
     survive(small_md2(), 4000, 21, [](const Bytes& bytes) {
         const Md2 model = parse_md2("x.md2", bytes);
         for (const uint32_t index : model.indices)

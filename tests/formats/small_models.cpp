@@ -26,6 +26,25 @@ Bytes small_md2() {
     return file;
 }
 
+Bytes write_sp2(std::span<const Sp2Frame> frames) {
+    Bytes file;
+    append_text(file, "IDS2", 4);
+    append(file, 2u);
+    append(file, static_cast<uint32_t>(frames.size()));
+    for (const Sp2Frame& frame : frames) {
+        for (const int value : {frame.size.x, frame.size.y, frame.origin.x, frame.origin.y})
+            append(file, value);
+        append_text(file, frame.picture, 64);
+    }
+    return file;
+}
+
+Bytes small_sp2() {
+    const Sp2Frame frames[] = {{{32, 24}, {8, -4}, "sprites/a.tga"},
+                               {{8, 8}, {4, 4}, "sprites/b.tga"}};
+    return write_sp2(frames);
+}
+
 Bytes write_glb(std::string json, const Bytes& binary) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     Bytes padded = binary;

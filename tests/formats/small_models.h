@@ -3,6 +3,7 @@
 #pragma once
 
 #include "byte_writer.h"
+#include "formats/sp2.h"
 
 #include <string>
 #include <string_view>
@@ -17,6 +18,11 @@ Bytes small_md2();
 /// Byte offsets inside small_md2().
 inline constexpr size_t md2_triangles_at = 68 + 64 + 5 * 4;
 inline constexpr size_t md2_frames_at = md2_triangles_at + 2 * 12;
+
+/// A sprite of these frames.
+Bytes write_sp2(std::span<const Sp2Frame> frames);
+/// Two frames, of 32 x 24 and of 8 x 8 units.
+Bytes small_sp2();
 
 /// A .glb from its JSON text and its binary chunk.
 Bytes write_glb(std::string json, const Bytes& binary);

@@ -2,6 +2,7 @@
 // Models: whatever is accepted holds valid indices and finite numbers, as the renderer expects.
 #include "formats/md2.h"
 #include "formats/mesh.h"
+#include "formats/sp2.h"
 #include "target.h"
 
 #include <cmath>
@@ -29,6 +30,16 @@ void fuzz_md2(Input bytes) {
                 require(finite(frame.positions[i]) && finite(frame.normals[i]),
                         "a vertex is not finite");
         }
+    });
+}
+
+void fuzz_sp2(Input bytes) {
+    parse_or_refuse("x.sp2", [&] {
+        const std::vector<Sp2Frame> frames = parse_sp2("x.sp2", bytes);
+        require(!frames.empty(), "a sprite without a picture");
+        for (const Sp2Frame& frame : frames)
+            require(frame.size.x > 0 && frame.size.y > 0 && frame.picture.size() <= 64,
+                    "a frame is out of range");
     });
 }
 

@@ -89,6 +89,7 @@ std::vector<Bytes> built_seeds(const Target& target) {
     }
     if (name == "jpg") return {write_jpg(picture, 80), write_jpg(picture, 5)};
     if (name == "md2") return {small_md2()};
+    if (name == "sp2") return {small_sp2()};
     if (name == "mesh")
         return {triangle_glb(R"("translation":[1,2,3],)"),
                 triangle_glb(R"("scale":[-1,2,1],"rotation":[0,1,0,0],)",

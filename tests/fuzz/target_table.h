@@ -24,6 +24,7 @@
     ROW(png_rows,   "",          16384,  40000, "PNG rows: packed by us, so that every input is right zlib data") \
     ROW(jpg,        ".jpg",      16384,  50000, "JPG pictures") \
     ROW(md2,        ".md2",      16384, 100000, "MD2 models") \
+    ROW(sp2,        ".sp2",      16384, 100000, "SP2 sprites") \
     ROW(mesh,       ".glb",      16384,  30000, "binary glTF models") \
     ROW(dm2,        ".dm2",      65536,  20000, "demos of protocol 34") \
     ROW(cfg,        ".cfg",       4096,   4000, "scripts: splitting, running, completing") \

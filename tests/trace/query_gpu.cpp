@@ -35,11 +35,12 @@ void QueryGpu::change_model(size_t model, const std::vector<BvhInputTriangle>& t
     build();
 }
 
-void QueryGpu::place(size_t model, const glm::mat4x3& transform) {
+void QueryGpu::place(size_t model, const glm::mat4x3& transform, uint32_t flags) {
     shader::Instance instance{};
     instance.world_from_object = transform;
     instance.object_from_world = vkpt::inverse_transform(transform);
     instance.previous_world_from_object = transform;
+    instance.flags = flags;
     instances_.push_back(instance);
     instance_models_.push_back(model);
 }
@@ -86,7 +87,8 @@ std::vector<shader::TraceAnswer> QueryGpu::trace(Backend backend, std::span<cons
         const Model& model = models_[instance_models_[i]];
         instances_[i].bvh_root = model.root;
         top.push_back({model.bounds, instances_[i].world_from_object,
-                       instances_[i].object_from_world, model.root, static_cast<uint32_t>(i)});
+                       instances_[i].object_from_world, model.root, static_cast<uint32_t>(i),
+                       instances_[i].flags});
     }
     const gpu::Buffer nodes = gpu::make_buffer(device_, gpu::bytes_of(nodes_), "nodes");
     const gpu::Buffer triangles = gpu::make_buffer(device_, gpu::bytes_of(triangles_), "triangles");

@@ -25,8 +25,8 @@ public:
     size_t add_model(const std::vector<BvhInputTriangle>& triangles, bool deforms = false);
     /// Gives a model another shape with the same number of triangles.
     void change_model(size_t model, const std::vector<BvhInputTriangle>& triangles);
-    /// Places a model. The first must be model 0 in place.
-    void place(size_t model, const glm::mat4x3& transform);
+    /// Places a model, with INSTANCE_* of its instance. The first must be model 0 in place.
+    void place(size_t model, const glm::mat4x3& transform, uint32_t flags = shader::INSTANCE_PLAIN);
     void clear_placed();
 
     /// Answers all rays; ray number i has seed i. `instances` and `translucent` are the constants

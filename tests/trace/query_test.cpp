@@ -173,6 +173,33 @@ TEST_F(QueryTest, PlacedModels) {
     EXPECT_GT(compare(true, true, 6), ray_count / 4);
 }
 
+TEST_F(QueryTest, FadedAndHiddenModels) {
+    // The rays of these shaders are light rays; the last model is the last of the top level, and
+    // one that they miss.
+    const Triangles ball = sphere_triangles(8, 60.0f, glm::vec3(0.0f));
+    scene_->place(scene_->add_model(random_triangles(100, 180.0f, 120.0f, 15)), in_place);
+    const size_t opaque = scene_->add_model(ball);
+    const size_t mixed = scene_->add_model(with_glass(ball, 4));
+    constexpr uint32_t faded = 90u << shader::INSTANCE_OPACITY_SHIFT;
+    scene_->place(opaque, placed(turn(1.0f), {100, 0, 0}), faded | shader::INSTANCE_LIT);
+    scene_->place(mixed, placed(turn(2.0f), {-100, 50, 0}), faded | shader::INSTANCE_LIT);
+    scene_->place(mixed, placed(turn(3.0f), {0, -100, 60}));
+    for (const uint32_t seen : {shader::INSTANCE_SEEN, shader::INSTANCE_FRONT, 0u})
+        scene_->place(opaque, placed(turn(4.0f), {0, 100, -60}), 0xff00u | seen);
+    EXPECT_GT(compare(true, true, 16), ray_count / 4);
+    Bounds bounds;
+    bounds.grow(glm::vec3(-150.0f));
+    bounds.grow(glm::vec3(150.0f));
+    const std::vector<shader::Ray> rays = random_rays(ray_count, bounds, 17);
+    std::array<size_t, 7> hits{};
+    for (const shader::TraceAnswer& answer : scene_->trace(Backend::Compute, rays, true, true))
+        if (answer.primitive != shader::NONE) ++hits.at(answer.instance);
+    for (size_t i = 0; i < hits.size(); ++i)
+        EXPECT_EQ(hits[i] > 0, i < 4) << "instance " << i;
+    // 90 of 255 stop at the first ball's front, none at its back.
+    EXPECT_GT(hits[1], ray_count / 200);
+}
+
 TEST_F(QueryTest, OpaquePlacedModels) {
     scene_->place(scene_->add_model(random_triangles(100, 180.0f, 120.0f, 7)), in_place);
     scene_->place(scene_->add_model(sphere_triangles(8, 60.0f, glm::vec3(0.0f))),

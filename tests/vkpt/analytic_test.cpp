@@ -4,6 +4,7 @@
 // * mean texel for faces, _sun_light * 0.1 for the sun's irradiance.
 #include "render_test.h"
 
+#include "formats/small_models.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/scene/texture_set.h"
 
@@ -171,6 +172,49 @@ TEST_F(Analytic, SquareLampOverAFloor) {
             });
         judge(info.name, seen, expected,
               brute ? Bounds{.everywhere = 0.02, .five_blocks = 0.2} : Bounds{.everywhere = 0.003});
+    }
+}
+
+TEST_F(Analytic, ASheetUnderALamp) {
+    // A sheet between lamp and floor, which looks down: what its opacity does not stop arrives.
+    write_game_file("models/sheet.glb",
+                    triangle_glb(R"("scale":[3000,3000,3000],"translation":[-900,-900,0],)"));
+    load("lamp");
+    const refresh::ModelHandle sheet = renderer().register_model("models/sheet.glb");
+    const glm::dvec3 radiance_of_lamp = 10.0 * texel("test/lamp"), rho = texel("test/white50");
+    set("pt_bounces", "0");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    struct Row {
+        float alpha;
+        uint32_t flags;
+        double passes;
+    };
+    const Row rows[] = {{0.4f, 0, 1.0 - 102.0 / 255.0},
+                        {0.6f, refresh::entity_hidden_from_camera, 1.0 - 153.0 / 255.0},
+                        {1.0f, refresh::entity_hidden_from_light, 1.0},
+                        {1.0f, refresh::entity_weapon, 1.0}};
+    for (const Row& row : rows) {
+        refresh::Entity entity;
+        entity.model = sheet;
+        entity.origin = {0, 0, 100};
+        entity.angles = {0, 0, 90};
+        entity.alpha = row.alpha;
+        entity.flags = row.flags;
+        shot.entities = {entity};
+        for (const std::string_view technique : {"sll", "vlc", "brute"}) {
+            const bool brute = technique == "brute";
+            set("pt_nee", technique);
+            const PictureBatches seen = batches(shot, batch_count, brute ? 512 : 64, 900, block);
+            const std::vector<double> expected =
+                expect_on_floor(floor_points(), block, [&](glm::dvec2 p) {
+                    return row.passes * rho * radiance_of_lamp *
+                           form_factor(-32 - p.x, 32 - p.x, -32 - p.y, 32 - p.y, 128);
+                });
+            judge(fmt::format("{} {} {}", technique, row.alpha, row.flags), seen, expected,
+                  brute ? Bounds{.everywhere = 0.03, .five_blocks = 0.3}
+                        : Bounds{.everywhere = 0.01, .quadrant = 0.1, .five_blocks = 0.2});
+        }
     }
 }
 

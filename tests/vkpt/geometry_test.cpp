@@ -8,6 +8,7 @@
 #include "level/level.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
+#include "refresh/vkpt/scene/particle_geometry.h"
 #include "refresh/vkpt/scene/subdivide.h"
 #include "refresh/vkpt/scene/transform.h"
 #include "refresh/vkpt/scene/world_geometry.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 namespace vigil::vkpt {
@@ -252,6 +254,53 @@ TEST_F(Geometry, PosesMixTwoFrames) {
     EXPECT_EQ(md2_geometry(md2, {-2, -2, 0.0f, 0.0f, 5}).triangles[0].v1, first.triangles[0].v1);
 }
 
+TEST_F(Geometry, ShellsStandOffTheModel) {
+    const Md2 md2 = parse_md2("m.md2", small_md2()); // flat, and looks up
+    const Md2Pose pose{1, 0, 0.25f, 0.0f, 5};
+    Md2Pose shell = pose;
+    shell.swell = 4.0f;
+    const ModelGeometry body = md2_geometry(md2, pose), around = md2_geometry(md2, shell);
+    for (size_t i = 0; i < body.triangles.size(); ++i)
+        EXPECT_NEAR(
+            glm::distance(around.triangles[i].v2, body.triangles[i].v2 + glm::vec3(0, 0, 4)), 0.0f,
+            1e-4f);
+}
+
+TEST_F(Geometry, SpritesAreQuadsAroundTheirOrigin) {
+    const ModelGeometry quad = sprite_geometry({{32, 24}, {8, -4}, ""}, 7);
+    ASSERT_EQ(quad.triangles.size(), 2u);
+    double area = 0.0;
+    for (size_t i = 0; i < 2; ++i) {
+        const BvhInputTriangle& triangle = quad.triangles[i];
+        const shader::Primitive& primitive = quad.primitives[i];
+        EXPECT_EQ(primitive.material, 7u);
+        const glm::vec3 normal = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
+        EXPECT_LT(normal.x, 0.0f) << "its front looks back at the camera";
+        area += 0.5 * static_cast<double>(glm::length(normal));
+        const auto expect_corner = [](const glm::vec3& corner, const glm::vec2& uv) {
+            EXPECT_EQ(corner,
+                      glm::vec3(0.0f, -(-8.0f + 32.0f * uv.x), 4.0f + 24.0f * (1.0f - uv.y)));
+        };
+        expect_corner(triangle.v0, primitive.uv0);
+        expect_corner(triangle.v1, primitive.uv1);
+        expect_corner(triangle.v2, primitive.uv2);
+    }
+    EXPECT_DOUBLE_EQ(area, 32.0 * 24.0);
+}
+
+TEST_F(Geometry, ParticlesFade) {
+    refresh::Particle particles[2];
+    particles[1].alpha = 0.25f;
+    refresh::Frame frame;
+    frame.particles = particles;
+    const ModelGeometry geometry = particle_geometry(frame, 2, materials_);
+    EXPECT_EQ(geometry.triangles[0].coverage, 255u);
+    EXPECT_EQ(geometry.triangles[1].coverage, 64u);
+    EXPECT_EQ(coverage_of(std::numeric_limits<float>::quiet_NaN()), 0u);
+    EXPECT_EQ(coverage_of(-1.0f), 0u);
+    EXPECT_EQ(coverage_of(7.0f), 255u);
+}
+
 TEST(Transform, QuakesAngles) {
     const auto near = [](glm::vec3 a, glm::vec3 b) { return glm::distance(a, b) < 1e-6f; };
     EXPECT_TRUE(near(rotation_from_angles({0, 0, 0})[0], {1, 0, 0}));
@@ -292,6 +341,12 @@ TEST(Camera, FieldOfViewIsHorizontalAtFourToThree) {
     EXPECT_NEAR(glm::length(params.camera_up), 0.75f, 1e-6f);
     EXPECT_NEAR(glm::length(params.camera_right), 0.75f * 16.0f / 9.0f, 1e-6f);
     EXPECT_NEAR(params.pixel_angle, 1.5f / 1080.0f, 1e-7f);
+    // A vertical angle says it all.
+    view.fov_y = 60.0f;
+    set_camera(params, view, {300, 200});
+    EXPECT_NEAR(glm::length(params.camera_up), std::tan(glm::radians(30.0f)), 1e-6f);
+    EXPECT_NEAR(glm::length(params.camera_right), 1.5f * std::tan(glm::radians(30.0f)), 1e-6f);
+    view.fov_y = 0.0f;
     // Right-handed: forward x up = right, in Quake's world.
     view.angles = {20, 130, -15};
     set_camera(params, view, {640, 480});
