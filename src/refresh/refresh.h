@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The renderer's interface: what a frame is (settings, view, entities, lights, pictures on top) and
 // what comes back (a picture, linear radiance, times per pass). A front end fills a Frame, and
-// refresh/vkpt draws it; tests/examples/one_frame.cpp is the shortest. Nothing here knows Vulkan
-// beyond the opaque handles a window needs to make a surface.
+// refresh/vkpt draws it; tests/examples/one_frame.cpp is the shortest. docs/front-end.md has the
+// order of calls, and what happens where numbers do not stay the same. Functions throw Error or
+// std::bad_alloc, nothing else. Nothing here knows Vulkan beyond the opaque handles a window needs
+// to make a surface.
 #pragma once
 
 #include "refresh/settings.h"
@@ -274,7 +276,9 @@ public:
     virtual glm::ivec2 picture_size(PictureHandle picture) const = 0;
 
     /// Renders one frame and, with a window, presents it. Before a level is loaded it shows draws
-    /// and overlay over black. Returns the frame's number, counted from 0.
+    /// and overlay over black. Returns the frame's number, counted from 0. Throws Error if a draw
+    /// names no picture, and then has done nothing; or if memory or device fail, and then throws
+    /// again until a level is loaded.
     virtual uint64_t render(const Frame& frame) = 0;
 
     /// Who is told while render() waits for a compiler; null: nobody. It must outlive the renderer,
@@ -283,9 +287,10 @@ public:
     /// Whether shaders are being compiled; that cannot be broken off.
     virtual bool compiling() const { return false; }
 
-    /// The last frame after tone mapping, with or without its overlay.
+    /// The last frame after tone mapping, with or without its overlay. Throws Error without one.
     virtual Picture read_picture(bool with_overlay) = 0;
-    /// The last frame's radiance; averaged over frames while pt_accumulate is on.
+    /// The last frame's radiance; averaged over frames while pt_accumulate is on. Throws Error if
+    /// there is none.
     virtual RadiancePicture read_radiance() = 0;
 
     /// Times of the frames that the GPU has finished since the last call, oldest first, without

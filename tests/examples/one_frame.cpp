@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <span>
 #include <vector>
 
 using namespace vigil;
@@ -60,7 +61,20 @@ void draw(const char* basedir, const char* name, const char* picture_name, const
             placed.model = renderer->register_model(model);
         }
 
-    // A picture in the upper left corner, four times as large, on a dark ground.
+    // What the first Quake II would show at full brightness, half transparent, and a light whose
+    // body is not to be seen.
+    const refresh::View view = start_of(*level);
+    const refresh::Particle spark{view.origin + glm::vec3(40, 0, 0), 2.0f, {1, 0.6f, 0.2f}, 0.5f};
+    refresh::DynamicLight light;
+    light.origin = view.origin + glm::vec3(0, 0, 20);
+    light.radiance = glm::vec3(20.0f);
+    light.visible = false;
+
+    // Red over all: a player is hurt. Then a picture in the upper left corner, four times as large,
+    // on a dark ground.
+    refresh::Draw blend;
+    blend.size = {settings.vid_width, settings.vid_height};
+    blend.color = {1, 0, 0, 0.1f};
     refresh::Draw picture;
     picture.picture = renderer->register_picture(picture_name);
     picture.corner = {16, 16};
@@ -69,12 +83,14 @@ void draw(const char* basedir, const char* name, const char* picture_name, const
     ground.corner = picture.corner - 4;
     ground.size = picture.size + 8;
     ground.color = {0, 0, 0, 0.6f};
-    const refresh::Draw draws[] = {ground, picture};
+    const refresh::Draw draws[] = {blend, ground, picture};
 
     refresh::Frame frame;
     frame.settings = settings;
-    frame.view = start_of(*level);
+    frame.view = view;
     frame.entities = entities;
+    frame.dynamic_lights = std::span(&light, 1);
+    frame.particles = std::span(&spark, 1);
     frame.draws = draws;
     frame.light_styles.fill(1.0f);
     for (int i = 0; i < 8; ++i) // each learns from the one before
@@ -89,7 +105,8 @@ void draw(const char* basedir, const char* name, const char* picture_name, const
 
 } // namespace
 
-int main(int argc, char** argv) {
+/// What main() does, for whoever loads this as a module.
+extern "C" [[gnu::visibility("default")]] int one_frame(int argc, char** argv) {
     if (argc != 5) {
         std::fprintf(stderr, "usage: one_frame BASEDIR LEVEL PICTURE FILE.ppm\n");
         return 2;
@@ -101,4 +118,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "one_frame: %s\n", error.what());
         return 1;
     }
+}
+
+int main(int argc, char** argv) {
+    return one_frame(argc, argv);
 }

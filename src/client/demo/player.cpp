@@ -286,6 +286,9 @@ void DemoPlayer::show_entity(const dm2::EntityState& entity, PlayedScene& scene,
             continue;
         shown.number = number + static_cast<int>(slot * dm2::most_entities);
         shown.model = model(entity.models[slot], entity, session);
+        const auto name = strings_.find(dm2::CS_MODELS + entity.models[slot]);
+        const bool sprite = name != strings_.end() && name->second.ends_with(".sp2");
+        shown.glow = glm::vec3(sprite ? refresh::particle_radiance : 0.0f);
         if (shown.model >= 0) scene.entities.push_back(shown);
     }
 }
