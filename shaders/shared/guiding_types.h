@@ -30,7 +30,7 @@ struct LeafArray {
 };
 
 // The arrays: ROW(name, words, array before it, first value of each word, what a new leaf has).
-//   LEAF_MADE     what octree_populate.comp makes for it
+//   LEAF_MADE     what octree_augment.comp makes for it
 //   LEAF_ZEROED   0
 //   LEAF_CARRIED  what its source has, the leaf of the tree before that it comes from
 // clang-format off
@@ -240,7 +240,7 @@ SHADER_FN float cdq_even_density(uint bits, float brdf_part) {
 struct GuidingWork {
     uvec3 deduplicate_groups; // indirect dispatches, one work group per entry of the lists below
     uvec3 merge_groups;
-    uvec3 populate_groups;
+    uvec3 augment_groups;
     uint vlc_used;    // light ids taken from the caches' buffer
     uint sample_used; // light samples' room given to leaves
     uint demand;      // samples that the new leaves are expected to receive together

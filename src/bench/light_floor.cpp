@@ -51,7 +51,7 @@ double least_variance(std::span<const LightFloorValue> lights) {
 } // namespace
 
 LightFloor measure_light_floor(vkpt::VkptRenderer& renderer, const LightFloorPlan& plan) {
-    const std::vector<std::uint32_t> pixels = grid(renderer.path_tracer().size(), plan.pixels);
+    const std::vector<std::uint32_t> pixels = grid(renderer.buffers().size(), plan.pixels);
     const auto lights = static_cast<std::uint32_t>(renderer.scene()->lights().lights().size());
     LightFloor floor;
     floor.pixels = static_cast<int>(pixels.size());

@@ -148,11 +148,11 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
         result.pass_ms.push_back(pass.empty() ? 0.0 : median(std::move(pass)));
 
     // What became of the light samples.
-    const vkpt::PathTracer& tracer = renderer_->path_tracer();
-    const std::uint64_t pixels = std::uint64_t{tracer.size().x} * tracer.size().y;
+    const vkpt::FrameBuffers& buffers = renderer_->buffers();
+    const std::uint64_t pixels = std::uint64_t{buffers.size().x} * buffers.size().y;
     std::size_t hits = 0, unlit = 0, explored = 0;
     for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
-             renderer_->device(), tracer.primary_hits(), 0, pixels)) {
+             renderer_->device(), buffers.primary_hits(), 0, pixels)) {
         if (hit.primitive == shader::NONE) continue;
         ++hits;
         unlit += (hit.flags & shader::PRIMARY_HIT_UNLIT) != 0;

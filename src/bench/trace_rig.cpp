@@ -66,8 +66,7 @@ void TraceRig::finish(bool translucent) {
     scene_set_.bind(BINDING_BVH_TRIANGLES, triangle_buffer_);
     scene_set_.bind(BINDING_TOP_NODES, top_buffer_);
 
-    layout_ =
-        gpu::make_pipeline_layout(device_, std::array{scene_set_.layout(), layout_set_.layout()});
+    layout_ = gpu::PipelineLayout(device_, {&scene_set_, &layout_set_});
     const std::span<const std::uint32_t> code =
         texels ? std::span(shader_trace_rays_texel, shader_trace_rays_texel_end)
                : std::span(shader_trace_rays, shader_trace_rays_end);
@@ -76,7 +75,7 @@ void TraceRig::finish(bool translucent) {
                                    gpu::Specialization{CONSTANT_TRANSLUCENT, translucent},
                                    gpu::Specialization{CONSTANT_EFFECTS, false},
                                    gpu::Specialization{CONSTANT_ANY_HIT, any_hit}};
-        return gpu::ComputePipeline(device_, layout_.get(), nullptr, code, constants, "rays");
+        return gpu::ComputePipeline(device_, layout_, nullptr, code, constants, "rays");
     };
     closest_ = make(false);
     any_ = make(true);
@@ -99,13 +98,10 @@ TraceRig::Batch TraceRig::make_batch(std::span<const shader::Ray> rays) const {
 
 void TraceRig::trace(const Batch& batch, bool any_hit) const {
     gpu::run_now(device_, [&](VkCommandBuffer commands) {
-        (any_hit ? any_ : closest_).bind(commands);
         const std::array sets{scene_set_.handle(), batch.set.handle()};
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 2,
-                                sets.data(), 0, nullptr);
-        vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                           sizeof(batch.count), &batch.count);
-        vkCmdDispatch(commands, (batch.count + 63) / 64, 1, 1);
+        (any_hit ? any_ : closest_)
+            .dispatch(commands, {sets, gpu::bytes_of_value(batch.count)},
+                      {{(batch.count + 63) / 64, 1, 1}});
     });
 }
 

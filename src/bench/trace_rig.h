@@ -68,7 +68,7 @@ private:
     gpu::Buffer unused_, node_buffer_, triangle_buffer_, top_buffer_;
     vkpt::NodeView node_view_;
     gpu::DescriptorSet scene_set_, layout_set_;
-    gpu::Handle<VkPipelineLayout> layout_;
+    gpu::PipelineLayout layout_;
     gpu::ComputePipeline closest_, any_;
 };
 

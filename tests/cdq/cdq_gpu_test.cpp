@@ -56,15 +56,12 @@ std::vector<CdqAnswer> ask(const gpu::Device& device, const std::vector<CdqQuery
     gpu::DescriptorSet set(device, types, answers, "cdq");
     set.bind(0, questions);
     set.bind(1, answers);
-    const gpu::Handle<VkPipelineLayout> layout =
-        gpu::make_pipeline_layout(device, std::vector{set.layout()});
-    const gpu::ComputePipeline pipeline(device, layout.get(), nullptr, cdq_query_comp, {}, "cdq");
+    const gpu::PipelineLayout layout(device, {&set});
+    const gpu::ComputePipeline pipeline(device, layout, nullptr, cdq_query_comp, {}, "cdq");
     gpu::run_now(device, [&](VkCommandBuffer commands) {
-        pipeline.bind(commands);
         const VkDescriptorSet handle = set.handle();
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0, 1,
-                                &handle, 0, nullptr);
-        vkCmdDispatch(commands, (static_cast<uint32_t>(queries.size()) + 63) / 64, 1, 1);
+        pipeline.dispatch(commands, {std::span(&handle, 1)},
+                          {{(static_cast<uint32_t>(queries.size()) + 63) / 64, 1, 1}});
     });
     return gpu::download_now_as<CdqAnswer>(device, answers, 0, queries.size());
 }

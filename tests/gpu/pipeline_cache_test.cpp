@@ -29,8 +29,8 @@ protected:
         const LogCapture log;
         {
             const PipelineCache cache(device_, file_);
-            const Handle<VkPipelineLayout> layout = make_pipeline_layout(device_, {});
-            const ComputePipeline pipeline(device_, layout.get(), &cache, empty_comp, {}, "empty");
+            const PipelineLayout layout(device_, {});
+            const ComputePipeline pipeline(device_, layout, &cache, empty_comp, {}, "empty");
             EXPECT_TRUE(pipeline);
         }
         return log.lines;

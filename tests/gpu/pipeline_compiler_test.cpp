@@ -22,21 +22,17 @@ class PipelineCompilerTest : public testing::Test {
 protected:
     PipelineCompilerTest()
         : device_(test::validated(), nullptr), buffer_(make()),
-          set_(device_, types, buffer_, "set"),
-          layout_(make_pipeline_layout(device_, std::array{set_.layout()})) {}
+          set_(device_, types, buffer_, "set"), layout_(device_, {&set_}) {}
     ~PipelineCompilerTest() override { EXPECT_EQ(device_.validation_messages(), 0); }
 
     Buffer make() const { return make_buffer(device_, bytes_of(std::array{0u}), "counter"); }
     PipelineSource source(uint32_t step) const {
-        return {counted_comp, {{3, step}}, "counted." + std::to_string(step), {set_.types()}};
+        return {counted_comp, {{3, step}}, "counted." + std::to_string(step)};
     }
     uint32_t count_with(const ComputePipeline& pipeline) const {
         run_now(device_, [&](VkCommandBuffer commands) {
             const VkDescriptorSet set = set_.handle();
-            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1,
-                                    &set, 0, nullptr);
-            pipeline.bind(commands);
-            vkCmdDispatch(commands, 1, 1, 1);
+            pipeline.dispatch(commands, {std::span(&set, 1)}, {});
         });
         return download_now_as<uint32_t>(device_, buffer_, 0, 1)[0];
     }
@@ -46,7 +42,7 @@ protected:
     Device device_;
     Buffer buffer_;
     DescriptorSet set_;
-    Handle<VkPipelineLayout> layout_;
+    PipelineLayout layout_;
 };
 
 TEST_F(PipelineCompilerTest, MakesWhatWorksAndTellsHowFarItIs) {
@@ -54,7 +50,7 @@ TEST_F(PipelineCompilerTest, MakesWhatWorksAndTellsHowFarItIs) {
     EXPECT_TRUE(compiler.idle());
     std::vector<ComputePipeline> pipelines;
     for (uint32_t step = 1; step <= 9; ++step)
-        pipelines.emplace_back(compiler, layout_.get(), source(step));
+        pipelines.emplace_back(compiler, layout_, source(step));
     const refresh::Compilation before = compiler.state();
     EXPECT_EQ(before.total, 9);
     EXPECT_LE(before.done, 9);
@@ -73,7 +69,7 @@ TEST_F(PipelineCompilerTest, MakesWhatWorksAndTellsHowFarItIs) {
         EXPECT_EQ(count_with(pipelines[step - 1]), sum) << step;
     }
     // The next wait counts anew; who binds before it is made waits.
-    const ComputePipeline late(compiler, layout_.get(), source(10));
+    const ComputePipeline late(compiler, layout_, source(10));
     EXPECT_EQ(count_with(late), sum + 80);
     EXPECT_EQ(compiler.state().total, 1);
 }
@@ -81,8 +77,8 @@ TEST_F(PipelineCompilerTest, MakesWhatWorksAndTellsHowFarItIs) {
 TEST_F(PipelineCompilerTest, WhatNobodyWantsIsDropped) {
     PipelineCompiler compiler(device_, folder_.path() / "pipelines.bin");
     for (int i = 0; i < 20; ++i) {
-        ComputePipeline pipeline(compiler, layout_.get(), source(1));
-        pipeline = {compiler, layout_.get(), source(2)};
+        ComputePipeline pipeline(compiler, layout_, source(1));
+        pipeline = {compiler, layout_, source(2)};
         const ComputePipeline moved = std::move(pipeline);
         EXPECT_TRUE(moved);
     }
@@ -91,8 +87,8 @@ TEST_F(PipelineCompilerTest, WhatNobodyWantsIsDropped) {
 
 TEST_F(PipelineCompilerTest, FirstDispatchesComeFromTheSmallestAndDoNothing) {
     PipelineCompiler compiler(device_, folder_.path() / "pipelines.bin");
-    const ComputePipeline pipeline(compiler, layout_.get(), source(1)),
-        other(compiler, layout_.get(), source(2));
+    const ComputePipeline pipeline(compiler, layout_, source(1)),
+        other(compiler, layout_, source(2));
     ASSERT_TRUE(compiler.wait_for(100s));
     const bool late = device_.features().llvmpipe_mesa > 0;
     EXPECT_EQ(compiler.state().done, late ? 0 : 2);
@@ -114,7 +110,7 @@ TEST_F(PipelineCompilerTest, FirstDispatchesComeFromTheSmallestAndDoNothing) {
 TEST_F(PipelineCompilerTest, WhatIsDroppedIsNotDispatched) {
     PipelineCompiler compiler(device_, folder_.path() / "pipelines.bin");
     {
-        const ComputePipeline pipeline(compiler, layout_.get(), source(1));
+        const ComputePipeline pipeline(compiler, layout_, source(1));
         ASSERT_TRUE(compiler.wait_for(100s));
     }
     EXPECT_EQ(compiler.begin_first_dispatch(), nullptr);

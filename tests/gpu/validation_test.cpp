@@ -31,18 +31,12 @@ protected:
         DescriptorSet set(*device_, types, answer_, "values");
         set.bind(0, values_);
         set.bind(1, answer_);
-        const Handle<VkPipelineLayout> layout =
-            make_pipeline_layout(*device_, std::vector{set.layout()});
-        const ComputePipeline pipeline(*device_, layout.get(), nullptr, out_of_bounds_comp, {},
+        const PipelineLayout layout(*device_, {&set});
+        const ComputePipeline pipeline(*device_, layout, nullptr, out_of_bounds_comp, {},
                                        "out_of_bounds");
         run_now(*device_, [&](VkCommandBuffer commands) {
-            pipeline.bind(commands);
             const VkDescriptorSet handle = set.handle();
-            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0, 1,
-                                    &handle, 0, nullptr);
-            vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof at,
-                               &at);
-            vkCmdDispatch(commands, 1, 1, 1);
+            pipeline.dispatch(commands, {std::span(&handle, 1), bytes_of_value(at)}, {});
         });
     }
 

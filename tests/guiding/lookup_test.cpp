@@ -55,20 +55,13 @@ protected:
         gpu::DescriptorSet own(device(), std::span(types).first(2), answers, "lookup");
         own.bind(0, query_buffer);
         own.bind(1, answers);
-        const gpu::Handle<VkPipelineLayout> layout = gpu::make_pipeline_layout(
-            device(), std::array{scene.layout(), own.layout(), guiding().layout()});
-        const gpu::ComputePipeline pipeline(device(), layout.get(), nullptr, lookup_comp, {},
-                                            "lookup");
+        const gpu::PipelineLayout layout(device(), {&scene, &own, &guiding().look_up()});
+        const gpu::ComputePipeline pipeline(device(), layout, nullptr, lookup_comp, {}, "lookup");
         const auto count = static_cast<uint32_t>(queries.size());
         const std::array<uint32_t, 2> push{0, count}; // path_index, path_count
         gpu::run_now(device(), [&](VkCommandBuffer commands) {
             const std::array sets{scene.handle(), own.handle(), guiding().set()};
-            pipeline.bind(commands);
-            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0,
-                                    sets.size(), sets.data(), 0, nullptr);
-            vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
-                               push.data());
-            vkCmdDispatch(commands, (count + 63) / 64, 1, 1);
+            pipeline.dispatch(commands, {sets, gpu::bytes_of(push)}, {{(count + 63) / 64, 1, 1}});
         });
         return gpu::download_now_as<uvec2>(device(), answers, 0, queries.size());
     }

@@ -68,25 +68,21 @@ ImportanceGpu::ImportanceGpu(const gpu::Device& device, const ImportanceScene& s
     set_.bind(2, results_);
     set_.bind(3, words_);
     set_.bind(BINDING_LTC, table_);
-    layout_ = gpu::make_pipeline_layout(device, std::vector{set_.layout()});
+    layout_ = gpu::PipelineLayout(device, {&set_});
 }
 
 double ImportanceGpu::run(uint32_t mode, bool store_all) {
     const std::vector<gpu::Specialization> constants{{0, mode}, {1, store_all ? 1u : 0u}};
-    const gpu::ComputePipeline pipeline(device_, layout_.get(), nullptr, importance_comp, constants,
+    const gpu::ComputePipeline pipeline(device_, layout_, nullptr, importance_comp, constants,
                                         "importance");
     const auto queries = static_cast<uint32_t>(scene_.queries.size());
     const uint32_t push[3] = {queries, static_cast<uint32_t>(scene_.lights.size()),
                               scene_.lights_per_query};
     const std::clock_t start = std::clock();
     gpu::run_now(device_, [&](VkCommandBuffer commands) {
-        pipeline.bind(commands);
         const VkDescriptorSet set = set_.handle();
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set,
-                                0, nullptr);
-        vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
-                           push);
-        vkCmdDispatch(commands, (queries + 63) / 64, 1, 1);
+        pipeline.dispatch(commands, {std::span(&set, 1), gpu::bytes_of(push)},
+                          {{(queries + 63) / 64, 1, 1}});
     });
     return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

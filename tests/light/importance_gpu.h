@@ -46,7 +46,7 @@ private:
     const ImportanceScene& scene_;
     gpu::Buffer queries_, lights_, results_, words_, table_;
     gpu::DescriptorSet set_;
-    gpu::Handle<VkPipelineLayout> layout_;
+    gpu::PipelineLayout layout_;
 };
 
 } // namespace vigil::test

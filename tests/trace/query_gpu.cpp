@@ -116,23 +116,18 @@ std::vector<shader::TraceAnswer> QueryGpu::trace(Backend backend, std::span<cons
                              "rays and answers");
     lists.bind(0, ray_buffer);
     lists.bind(1, answers);
-    const gpu::Handle<VkPipelineLayout> layout =
-        gpu::make_pipeline_layout(device_, std::array{scene.layout(), lists.layout()});
+    const gpu::PipelineLayout layout(device_, {&scene, &lists});
     const std::span<const uint32_t> code = backend == Backend::Query
                                                ? std::span<const uint32_t>(query_query)
                                                : std::span<const uint32_t>(query_bvh);
     const std::array constants{gpu::Specialization{CONSTANT_INSTANCES, instances},
                                gpu::Specialization{CONSTANT_TRANSLUCENT, translucent}};
-    const gpu::ComputePipeline pipeline(device_, layout.get(), nullptr, code, constants, "query");
+    const gpu::ComputePipeline pipeline(device_, layout, nullptr, code, constants, "query");
 
-    const VkCommandBuffer buffer = commands.commands();
     const std::array sets{scene.handle(), lists.handle()};
     const auto count = static_cast<uint32_t>(rays.size());
-    pipeline.bind(buffer);
-    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0, 2, sets.data(),
-                            0, nullptr);
-    vkCmdPushConstants(buffer, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(count), &count);
-    vkCmdDispatch(buffer, (count + 63) / 64, 1, 1);
+    pipeline.dispatch(commands.commands(), {sets, gpu::bytes_of_value(count)},
+                      {{(count + 63) / 64, 1, 1}});
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return gpu::download_now_as<shader::TraceAnswer>(device_, answers, 0, count);

@@ -91,9 +91,9 @@ TEST_F(QueryPicture, FollowsTheFramesOfAModel) {
     shot.entities = {box};
     expect_equal_pictures(shot);
     const auto visible = [] {
-        const glm::uvec2 size = renderer().path_tracer().size();
+        const glm::uvec2 size = renderer().buffers().size();
         const auto hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().path_tracer().primary_hits(), 0, size.x * size.y);
+            renderer().device(), renderer().buffers().primary_hits(), 0, size.x * size.y);
         return std::count_if(hits.begin(), hits.end(),
                              [](const shader::PrimaryHit& hit) { return hit.instance == 1; });
     };

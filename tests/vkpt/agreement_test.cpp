@@ -24,10 +24,9 @@ namespace {
 class Agreement : public RenderTest {
 protected:
     static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().path_tracer().size();
-        return gpu::download_now_as<shader::PrimaryHit>(renderer().device(),
-                                                        renderer().path_tracer().primary_hits(), 0,
-                                                        uint64_t{size.x} * size.y);
+        const glm::uvec2 size = renderer().buffers().size();
+        return gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
     }
 
     /// Results of probe.comp for these arguments.

@@ -36,13 +36,12 @@ protected:
             renderer().render(shot_.frame());
     }
     static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().path_tracer().size();
-        return gpu::download_now_as<shader::PrimaryHit>(renderer().device(),
-                                                        renderer().path_tracer().primary_hits(), 0,
-                                                        uint64_t{size.x} * size.y);
+        const glm::uvec2 size = renderer().buffers().size();
+        return gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
     }
     static shader::PrimaryHit crosshair_hit() {
-        const glm::uvec2 size = renderer().path_tracer().size();
+        const glm::uvec2 size = renderer().buffers().size();
         const glm::uvec2 pixel = shader::crosshair_pixel(size);
         return primary_hits()[size_t{pixel.y} * size.x + pixel.x];
     }
@@ -55,7 +54,7 @@ protected:
         const gpu::Device& device = renderer().device();
         device.wait_idle();
         const std::vector<float> words =
-            gpu::download_now_as<float>(device, renderer().path_tracer().direction_map(), 0,
+            gpu::download_now_as<float>(device, renderer().buffers().direction_map(), 0,
                                         shader::DIRECTION_MAP_GROUPS + cell_count);
         const auto cells = words.begin() + shader::DIRECTION_MAP_GROUPS;
         return {{words.begin(), cells}, {cells, words.end()}};

@@ -66,7 +66,7 @@ protected:
     }
     static std::vector<shader::PrimaryHit> primary_hits() {
         return gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().path_tracer().primary_hits(), 0, width * height);
+            renderer().device(), renderer().buffers().primary_hits(), 0, width * height);
     }
 };
 

@@ -172,8 +172,8 @@ TEST_F(Extremes, OnePixel) {
     set("pt_guide", "cdq");
     radiance(shot);
     renderer().device().wait_idle();
-    renderer().path_tracer().resize({1, 1});
-    renderer().path_tracer().bind(*renderer().scene(), *renderer().technique());
+    renderer().buffers().resize({1, 1});
+    renderer().buffers().bind(*renderer().scene(), *renderer().technique());
     const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 64);
     ASSERT_EQ(pixel.size(), 3u);
     EXPECT_TRUE(all_finite_nonnegative(pixel));

@@ -34,10 +34,9 @@ protected:
     }
 
     static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().path_tracer().size();
-        return gpu::download_now_as<shader::PrimaryHit>(renderer().device(),
-                                                        renderer().path_tracer().primary_hits(), 0,
-                                                        uint64_t{size.x} * size.y);
+        const glm::uvec2 size = renderer().buffers().size();
+        return gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
     }
     static size_t marked() {
         return static_cast<size_t>(std::ranges::count_if(primary_hits(), [](const auto& hit) {

@@ -93,7 +93,7 @@ TEST_F(Ids, CachesForgetLightsWithOtherNumbers) {
     const auto unlit = [&](bool stable) {
         frames(stable);
         const auto hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().path_tracer().primary_hits(), 0, 48 * 32);
+            renderer().device(), renderer().buffers().primary_hits(), 0, 48 * 32);
         return std::ranges::count_if(hits, [](const shader::PrimaryHit& hit) {
             return (hit.flags & shader::PRIMARY_HIT_UNLIT) != 0;
         });

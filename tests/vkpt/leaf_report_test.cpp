@@ -31,10 +31,9 @@ protected:
             renderer().render(shot_.frame());
     }
     static std::vector<shader::PrimaryHit> lit_hits() {
-        const glm::uvec2 size = renderer().path_tracer().size();
+        const glm::uvec2 size = renderer().buffers().size();
         std::vector<shader::PrimaryHit> hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().path_tracer().primary_hits(), 0,
-            uint64_t{size.x} * size.y);
+            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
         std::erase_if(hits, [](const auto& hit) { return hit.primitive == shader::NONE; });
         return hits;
     }

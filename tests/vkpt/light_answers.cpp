@@ -10,7 +10,7 @@ namespace vigil::test {
 namespace {
 
 size_t pixel_count(vkpt::VkptRenderer& renderer) {
-    const glm::uvec2 size = renderer.path_tracer().size();
+    const glm::uvec2 size = renderer.buffers().size();
     return size_t{size.x} * size.y;
 }
 
@@ -43,7 +43,7 @@ void add_light_buffers(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint3
 
 void run_at_pixels(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint32_t depth,
                    glm::uvec2 push) {
-    const glm::uvec2 tiles = (renderer.path_tracer().size() + 7u) / 8u;
+    const glm::uvec2 tiles = (renderer.buffers().size() + 7u) / 8u;
     pass.run({tiles, depth}, push);
 }
 
@@ -62,7 +62,7 @@ LightAnswers ask_lights(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer,
     answers.exact = answers.errors[0] != 0.0f; // any bit
     answers.errors.erase(answers.errors.begin());
     answers.hits = gpu::download_now_as<shader::PrimaryHit>(
-        renderer.device(), renderer.path_tracer().primary_hits(), 0, pixels);
+        renderer.device(), renderer.buffers().primary_hits(), 0, pixels);
     return answers;
 }
 

@@ -79,7 +79,7 @@ protected:
     }
 
     static size_t pixels() {
-        const glm::uvec2 size = renderer().path_tracer().size();
+        const glm::uvec2 size = renderer().buffers().size();
         return size_t{size.x} * size.y;
     }
 

@@ -208,7 +208,7 @@ TEST_F(MovingLights, SpotsShineWithinTheirCone) {
     radiance(shot);
     const std::vector<float> seen = trace(params(shot), renderer().scene()->features(), 128);
     const std::vector<shader::PrimaryHit> hits = gpu::download_now_as<shader::PrimaryHit>(
-        renderer().device(), renderer().path_tracer().primary_hits(), 0, 64 * 64);
+        renderer().device(), renderer().buffers().primary_hits(), 0, 64 * 64);
     struct Band {
         double from, to, tolerance;
     };

@@ -156,7 +156,7 @@ shader::GuidingWork RenderTest::adapt(gpu::FrameCommands& commands) {
 shader::FrameParams RenderTest::params(const Shot& shot) {
     shader::FrameParams params{};
     params.settings = gpu_settings(cvars().values());
-    vkpt::set_camera(params, shot.view, renderer().path_tracer().size());
+    vkpt::set_camera(params, shot.view, renderer().buffers().size());
     vkpt::set_scene(params, *renderer().scene(), shot.time_s);
     return params;
 }
@@ -174,17 +174,17 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
                                      bool samples_lights) {
     const gpu::Device& device = renderer().device();
     device.wait_idle();
-    vkpt::PathTracer& tracer = renderer().path_tracer();
+    const vkpt::FrameBuffers& buffers = renderer().buffers();
     const vkpt::PictureSide whole{variant, samples_lights && variant.features.lights,
                                   false,   renderer().guiding().set(),
-                                  0,       tracer.size().x};
+                                  0,       buffers.size().x};
     gpu::FrameCommands commands(device);
     commands.begin();
-    tracer.record(commands, std::span(&whole, 1), params, paths);
+    renderer().record_picture(commands, std::span(&whole, 1), params, paths);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
-    return gpu::download_now_as<float>(device, tracer.mean_radiance(), 0,
-                                       uint64_t{3} * tracer.size().x * tracer.size().y);
+    return gpu::download_now_as<float>(device, buffers.mean_radiance(), 0,
+                                       uint64_t{3} * buffers.size().x * buffers.size().y);
 }
 
 bool all_finite_nonnegative(std::span<const float> values) {

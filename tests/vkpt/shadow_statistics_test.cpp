@@ -27,10 +27,10 @@ protected:
 
     /// Share of the last frame's light samples at primary hits that added nothing.
     static double wasted() {
-        const glm::uvec2 size = renderer().path_tracer().size();
+        const glm::uvec2 size = renderer().buffers().size();
         double hits = 0.0, unlit = 0.0;
         for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
-                 renderer().device(), renderer().path_tracer().primary_hits(), 0,
+                 renderer().device(), renderer().buffers().primary_hits(), 0,
                  uint64_t{size.x} * size.y)) {
             if (hit.primitive == shader::NONE) continue;
             hits += 1.0;

@@ -29,10 +29,9 @@ protected:
     }
 
     static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().path_tracer().size();
-        return gpu::download_now_as<shader::PrimaryHit>(renderer().device(),
-                                                        renderer().path_tracer().primary_hits(), 0,
-                                                        uint64_t{size.x} * size.y);
+        const glm::uvec2 size = renderer().buffers().size();
+        return gpu::download_now_as<shader::PrimaryHit>(
+            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
     }
     void render(int frames = 1) {
         for (int i = 0; i < frames; ++i)
@@ -131,7 +130,7 @@ TEST_F(Views, CountsAreThoseOfTheLeaf) {
     set("pt_vlc_bucket", "2"); // so that caches have several buckets
     set("pt_oct_scale", "0.25");
     render(8);
-    const glm::uvec2 size = renderer().path_tracer().size();
+    const glm::uvec2 size = renderer().buffers().size();
     for (const std::string_view view : {"samples", "vlc_lights", "vlc_buckets"}) {
         SCOPED_TRACE(view);
         set("pt_view", view);

@@ -3,8 +3,6 @@
 
 #include "common/error.h"
 #include "formats/image.h"
-#include "refresh/vkpt/gpu/passes.h"
-#include "refresh/vkpt/gpu/shader_library.h"
 
 #include <algorithm>
 #include <array>
@@ -29,10 +27,10 @@ struct Push {
 } // namespace
 
 Draws::Draws(const gpu::Device& device, gpu::PipelineCompiler& compiler)
-    : device_(device), compiler_(compiler), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       rect_buffer_(device, "draws"),
       set_(device, std::vector(3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), unused_, "draw set"),
-      layout_(gpu::make_pipeline_layout(device, std::array{set_.layout()})) {}
+      layout_(device, {&set_}), pass_(Pass::Draws, compiler, layout_) {}
 
 refresh::PictureHandle Draws::register_picture(const FileSystem& files, std::string_view name) {
     const auto known = handles_.find(name);
@@ -91,8 +89,7 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
     for (const refresh::Draw& draw : draws)
         add(draw, glm::ivec2(size));
     if (rects_.empty()) return;
-    if (!pipeline_)
-        pipeline_ = {compiler_, layout_.get(), {shader_code("draws"), {}, "draws", {set_.types()}}};
+    pass_.choose();
     bool rebind = rect_buffer_.set(gpu::bytes_of(rects_)) || display.handle() != display_;
     if (new_texels_) {
         device_.wait_idle();
@@ -110,19 +107,12 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
 
 void Draws::record(gpu::FrameCommands& commands) {
     if (rects_.empty()) return;
-    const PassScope scope(device_, commands, Pass::Draws);
-    const VkCommandBuffer buffer = commands.commands();
     rect_buffer_.upload(commands);
     const VkDescriptorSet set = set_.handle();
-    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set, 0,
-                            nullptr);
-    pipeline_.bind(buffer);
     for (const Batch& batch : batches_) {
-        gpu::full_barrier(buffer);
         const Push push{batch.first, width_};
-        vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
-                           &push);
-        vkCmdDispatch(buffer, batch.groups.x, batch.groups.y, batch.count);
+        pass_.record(commands, {std::span(&set, 1), gpu::bytes_of_value(push)},
+                     {{batch.groups, batch.count}});
     }
 }
 

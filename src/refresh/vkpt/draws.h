@@ -5,8 +5,8 @@
 
 #include "common/file_system.h"
 #include "refresh/refresh.h"
+#include "refresh/vkpt/gpu/compute_pass.h"
 #include "refresh/vkpt/gpu/growing_buffer.h"
-#include "refresh/vkpt/gpu/pipeline_compiler.h"
 #include "shared/draw.h"
 
 #include <map>
@@ -27,7 +27,7 @@ public:
     /// Brings what record() will draw over `display` (RGBA8, rows of `size.x` words). Throws Error
     /// if there is no such picture.
     void prepare(const gpu::Buffer& display, glm::uvec2 size, std::span<const refresh::Draw> draws);
-    /// Records the pass; after a barrier behind the pass before, and ends with one.
+    /// Records the pass.
     void record(gpu::FrameCommands& commands);
 
 private:
@@ -39,7 +39,6 @@ private:
     void add(const refresh::Draw& draw, glm::ivec2 screen);
 
     const gpu::Device& device_;
-    gpu::PipelineCompiler& compiler_;
     std::map<std::string, refresh::PictureHandle, std::less<>> handles_;
     std::vector<Picture> pictures_;
     std::vector<uint32_t> texels_; // of all pictures, RGBA8
@@ -48,8 +47,8 @@ private:
     gpu::Buffer unused_;
     gpu::GrowingBuffer rect_buffer_;
     gpu::DescriptorSet set_;
-    gpu::Handle<VkPipelineLayout> layout_;
-    gpu::ComputePipeline pipeline_; // made by the first frame that draws
+    gpu::PipelineLayout layout_;
+    ComputePass pass_;
 
     /// Rectangles that one dispatch draws: of as many work groups each, and without a common pixel.
     struct Batch {

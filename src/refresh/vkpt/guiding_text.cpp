@@ -122,9 +122,9 @@ constexpr const char* nothing_there =
 
 std::optional<shader::PrimaryHit> VkptRenderer::hit_under_crosshair() const {
     device_.wait_idle();
-    const glm::uvec2 size = path_tracer_.size(), pixel = shader::crosshair_pixel(size);
+    const glm::uvec2 size = buffers_.size(), pixel = shader::crosshair_pixel(size);
     const shader::PrimaryHit hit = gpu::download_now_as<shader::PrimaryHit>(
-        device_, path_tracer_.primary_hits(), uint64_t{pixel.y} * size.x + pixel.x, 1)[0];
+        device_, buffers_.primary_hits(), uint64_t{pixel.y} * size.x + pixel.x, 1)[0];
     if (hit.primitive == shader::NONE) return std::nullopt;
     return hit;
 }

@@ -40,7 +40,8 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
       compiler_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
                                                                  gpu::FrameCommands(device_)},
       waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
-      path_tracer_(device_, compiler_, left_.guiding().look_up()), draws_(device_, compiler_) {
+      buffers_(device_, left_.guiding().look_up()), path_tracer_(compiler_, buffers_),
+      direction_map_(compiler_, buffers_), post_(compiler_, buffers_), draws_(device_, compiler_) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -104,21 +105,21 @@ glm::uvec2 VkptRenderer::screen_size() const {
     if (surface_) {
         const glm::ivec2 size = surface_->framebuffer_size();
         if (size.x > 0 && size.y > 0) return size;
-        if (path_tracer_.size().x > 0) return path_tracer_.size(); // minimised: keep what we have
+        if (buffers_.size().x > 0) return buffers_.size(); // minimised: keep what we have
     }
     return {static_cast<uint32_t>(settings_.vid_width),
             static_cast<uint32_t>(settings_.vid_height)};
 }
 
 void VkptRenderer::resize(glm::uvec2 size) {
-    if (size == path_tracer_.size()) return;
+    if (size == buffers_.size()) return;
     device_.wait_idle();
     // A size that does not fit leaves the old one working.
     gpu::Image picture(device_, size.x, size.y, VK_FORMAT_R8G8B8A8_UNORM,
                        VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
                        "picture");
-    path_tracer_.resize(size);
+    buffers_.resize(size);
     picture_ = std::move(picture);
     accumulation_key_.clear();
     traced_ = false;
@@ -126,13 +127,13 @@ void VkptRenderer::resize(glm::uvec2 size) {
 }
 
 uint32_t VkptRenderer::split_column() const {
-    const uint32_t width = path_tracer_.size().x;
+    const uint32_t width = buffers_.size().x;
     if (!right_) return width;
     return static_cast<uint32_t>(std::lround(settings_.pt_compare_at * static_cast<float>(width)));
 }
 
 void VkptRenderer::select_sides() {
-    const TechniqueContext context{device_, *lister_};
+    const TechniqueContext context{device_, compiler_, *lister_};
     rebind_ |= left_.select(static_cast<Technique>(settings_.pt_nee), context);
     left_.set_guide(guide());
     const std::optional<TechniqueRow> compared =
@@ -158,22 +159,25 @@ void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
     if (right_) rebind_ |= right_->technique()->prepare(lights);
     if (!rebind_) return;
     device_.wait_idle();
-    path_tracer_.bind(*scene_, *left_.technique(), right_ ? right_->technique() : nullptr);
+    buffers_.bind(*scene_, *left_.technique(), right_ ? right_->technique() : nullptr);
     rebind_ = false;
 }
 
 void VkptRenderer::for_each_side(const std::function<void(Side&)>& what) {
     // A side without pixels rests: it learned nothing from the frame before, and is not looked at.
-    const uint32_t split = split_column(), width = path_tracer_.size().x;
+    const uint32_t split = split_column(), width = buffers_.size().x;
     if (split > 0) what(left_);
     if (split < width) what(*right_);
 }
 
 void VkptRenderer::prepare_pipelines() {
     for_each_side([&](Side& side) {
-        side.prepare_guiding(path_tracer_.size(), frame_number_ - first_frame_, settings_);
+        side.prepare_guiding(buffers_.size(), frame_number_ - first_frame_, settings_);
     });
-    path_tracer_.prepare(picture_sides(), settings_.pt_view);
+    const std::vector<PictureSide> sides = picture_sides();
+    path_tracer_.prepare(sides);
+    if (settings_.pt_view == shader::VIEW_CDQ) direction_map_.prepare(sides);
+    post_.prepare(sides, settings_.pt_view);
 }
 
 void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
@@ -195,16 +199,16 @@ std::vector<PictureSide> VkptRenderer::picture_sides() const {
     };
     const uint32_t split = split_column();
     std::vector<PictureSide> sides{describe(left_, 0, split)};
-    if (right_) sides.push_back(describe(*right_, split, path_tracer_.size().x));
+    if (right_) sides.push_back(describe(*right_, split, buffers_.size().x));
     return sides;
 }
 
 void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides) {
     for (size_t i = 0; i < sides.size(); ++i) {
         const PictureSide& side = sides[i];
-        legends_.at(i).record(commands, path_tracer_.display(),
+        legends_.at(i).record(commands, buffers_.display(),
                               {settings_.pt_view, side.variant.technique, side.samples_lights,
-                               side.guided, path_tracer_.size(),
+                               side.guided, buffers_.size(),
                                (i == 0 ? left_ : *right_).technique()->uses_guiding(),
                                side.variant.guide.guides(), side.first_column, side.end_column});
     }
@@ -213,8 +217,7 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
     for (size_t i = 0; i < names.size(); ++i)
         names.at(i) =
             technique_row_name({sides[i].variant.technique, sides[i].variant.guide.guide});
-    side_labels_.record(commands, path_tracer_.display(), path_tracer_.size(), split_column(),
-                        names);
+    side_labels_.record(commands, buffers_.display(), buffers_.size(), split_column(), names);
 }
 
 bool VkptRenderer::use_ray_query(const refresh::Settings& settings) const {
@@ -267,7 +270,7 @@ GuideChoice VkptRenderer::guide_of(Guide guide) const {
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     shader::FrameParams params{};
     params.settings = gpu_settings(settings_);
-    set_camera(params, frame.view, path_tracer_.size());
+    set_camera(params, frame.view, buffers_.size());
     set_scene(params, *scene_, frame.time_s);
     return params;
 }
@@ -298,7 +301,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     gpu::FrameCommands& commands = frames_[slot];
     ImDrawData* overlay = frame.overlay;
     finish_slot(slot);
-    draws_.prepare(path_tracer_.display(), path_tracer_.size(), frame.draws);
+    draws_.prepare(buffers_.display(), buffers_.size(), frame.draws);
     // Whoever goes on after a frame that failed (a command) would miss what it was to copy.
     if (frame_unfinished_) fail("the frame before this one failed");
     frame_unfinished_ = true;
@@ -318,7 +321,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         shader::FrameParams params = frame_params(frame);
         update_accumulation(params);
         {
-            const PassScope scope(device_, commands, Pass::Upload);
+            const PassScope scope(commands, Pass::Upload);
             scene_->upload(commands);
             left_.technique()->upload(commands);
             if (right_) right_->technique()->upload(commands);
@@ -333,7 +336,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         params.jitter =
             settings_.pt_jitter == 2 || (settings_.pt_jitter == 1 && accumulating) ? 1u : 0u;
         const std::vector<PictureSide> sides = picture_sides();
-        path_tracer_.record(commands, sides, params, static_cast<uint32_t>(settings_.pt_spp));
+        record_picture(commands, sides, params, static_cast<uint32_t>(settings_.pt_spp));
         record_texts(commands, sides);
         traced_ = true;
         ++accumulated_;
@@ -351,15 +354,23 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     return frame_number_++;
 }
 
+void VkptRenderer::record_picture(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
+                                  const shader::FrameParams& params, uint32_t paths) {
+    const int view = params.settings.pt_view;
+    buffers_.upload(commands, params);
+    path_tracer_.record(commands, sides, paths);
+    if (view == shader::VIEW_CDQ) direction_map_.record(commands, sides, paths);
+    post_.record(commands, sides, view, paths);
+}
+
 void VkptRenderer::record_black(gpu::FrameCommands& commands) {
     const VkCommandBuffer buffer = commands.commands();
     constexpr uint32_t black = 0xff000000;
-    vkCmdFillBuffer(buffer, path_tracer_.display().handle(), 0, VK_WHOLE_SIZE, black);
-    gpu::full_barrier(buffer);
+    vkCmdFillBuffer(buffer, buffers_.display().handle(), 0, VK_WHOLE_SIZE, black);
 }
 
 void VkptRenderer::remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides) {
-    const size_t shown = crosshair_side(sides, path_tracer_.size());
+    const size_t shown = crosshair_side(sides, buffers_.size());
     shown_.right = shown == 1;
     const PictureSide& side = sides[shown];
     shown_.guided = side.guided;
@@ -415,13 +426,14 @@ void VkptRenderer::show_wait(ImDrawData* overlay) {
 void VkptRenderer::present(gpu::FrameCommands& commands, ImDrawData* overlay, bool vsync) {
     const VkCommandBuffer buffer = commands.commands();
     // From the buffer of pixels to the image that the overlay is drawn on.
+    gpu::barrier(buffer, gpu::access_of_shaders | gpu::access_of_copies, gpu::access_of_copies);
     gpu::transition(buffer, picture_.handle(), VK_IMAGE_LAYOUT_UNDEFINED,
                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     if (traced_) {
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         region.imageExtent = {picture_.width(), picture_.height(), 1};
-        vkCmdCopyBufferToImage(buffer, path_tracer_.display().handle(), picture_.handle(),
+        vkCmdCopyBufferToImage(buffer, buffers_.display().handle(), picture_.handle(),
                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
     } else {
         const VkClearColorValue black{};
@@ -433,13 +445,13 @@ void VkptRenderer::present(gpu::FrameCommands& commands, ImDrawData* overlay, bo
                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     if (overlay) {
         if (!overlay_) overlay_.emplace(device_, picture_.format(), frames_in_flight);
-        const PassScope scope(device_, commands, Pass::Overlay);
+        const PassScope scope(commands, Pass::Overlay);
         overlay_->draw(buffer, picture_, overlay);
     }
     std::optional<gpu::SwapchainTarget> target;
     if (swapchain_) target = swapchain_->acquire(vsync);
     if (target) {
-        const PassScope scope(device_, commands, Pass::Present);
+        const PassScope scope(commands, Pass::Present);
         swapchain_->blit(buffer, *target, picture_);
     }
     commands.submit(target ? target->acquired : VK_NULL_HANDLE, gpu::Swapchain::wait_stage,
@@ -467,7 +479,7 @@ refresh::Picture VkptRenderer::read_picture(bool with_overlay) {
         });
         pixels.assign(staging.mapped(), staging.mapped() + bytes);
     } else {
-        pixels = gpu::download_now(device_, path_tracer_.display(), 0, bytes);
+        pixels = gpu::download_now(device_, buffers_.display(), 0, bytes);
     }
     picture.rgba.resize(bytes);
     std::memcpy(picture.rgba.data(), pixels.data(), bytes);
@@ -478,12 +490,11 @@ refresh::RadiancePicture VkptRenderer::read_radiance() {
     if (frame_number_ == 0 || !scene_) fail("no frame of a level has been rendered");
     device_.wait_idle();
     refresh::RadiancePicture picture;
-    picture.width = static_cast<int>(path_tracer_.size().x);
-    picture.height = static_cast<int>(path_tracer_.size().y);
+    picture.width = static_cast<int>(buffers_.size().x);
+    picture.height = static_cast<int>(buffers_.size().y);
     picture.frames = static_cast<int>(accumulated_);
-    picture.rgb =
-        gpu::download_now_as<float>(device_, path_tracer_.mean_radiance(), 0,
-                                    uint64_t{3} * path_tracer_.size().x * path_tracer_.size().y);
+    picture.rgb = gpu::download_now_as<float>(device_, buffers_.mean_radiance(), 0,
+                                              uint64_t{3} * buffers_.size().x * buffers_.size().y);
     return picture;
 }
 
@@ -518,7 +529,7 @@ std::vector<refresh::FrameTimes> VkptRenderer::take_frame_times(bool wait) {
 
 uint32_t VkptRenderer::nonfinite_count() const {
     device_.wait_idle();
-    return gpu::download_now_as<shader::FrameCounters>(device_, path_tracer_.counters(), 0, 1)[0]
+    return gpu::download_now_as<shader::FrameCounters>(device_, buffers_.counters(), 0, 1)[0]
         .nonfinite;
 }
 

@@ -4,13 +4,15 @@
 #pragma once
 
 #include "refresh/refresh.h"
+#include "refresh/vkpt/debug/direction_map.h"
 #include "refresh/vkpt/debug/legend.h"
 #include "refresh/vkpt/debug/side_labels.h"
 #include "refresh/vkpt/draws.h"
 #include "refresh/vkpt/gpu/swapchain.h"
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/overlay.h"
-#include "refresh/vkpt/pathtracer.h"
+#include "refresh/vkpt/pathtrace/pathtracer.h"
+#include "refresh/vkpt/post/post.h"
 #include "refresh/vkpt/side.h"
 
 #include <array>
@@ -53,7 +55,10 @@ public:
 
     // For tests and benchmarks.
     const gpu::Device& device() const { return device_; }
-    PathTracer& path_tracer() { return path_tracer_; }
+    FrameBuffers& buffers() { return buffers_; }
+    /// Records all from camera rays to the finished picture; bound and sized as the last frame was.
+    void record_picture(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
+                        const shader::FrameParams& params, uint32_t paths);
     Scene* scene() { return scene_.get(); }
     // Of the picture, or, while pt_compare splits it, of its left side.
     LightTechnique* technique() { return left_.technique(); }
@@ -114,12 +119,15 @@ private:
     gpu::FrameCommands waiting_frame_; // what is shown while pipelines are made
     Side left_;                        // the only one while there is no right one
     std::optional<Side> right_;
+    FrameBuffers buffers_;
     PathTracer path_tracer_;
+    DirectionMap direction_map_;
+    Post post_;
     Draws draws_;
     std::optional<gpu::Swapchain> swapchain_;
     std::optional<Overlay> overlay_;
     gpu::Image picture_;
-    std::array<Legend, PathTracer::most_sides> legends_;
+    std::array<Legend, most_sides> legends_;
     SideLabels side_labels_;
 
     std::shared_ptr<const Level> level_;

@@ -23,12 +23,11 @@ void SidePass::make_pipeline() {
     const std::vector<VkDescriptorType> own_types(buffers_.size(),
                                                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     set_ = gpu::DescriptorSet(device_, own_types, unused_, name_.c_str());
-    const auto [scene_layout, technique_layout, guiding_layout] =
-        renderer_.path_tracer().set_layouts();
-    layout_ = gpu::make_pipeline_layout(
-        device_, std::array{scene_layout, technique_layout, guiding_layout, set_.layout()});
+    const FrameBuffers& buffers = renderer_.buffers();
+    layout_ = gpu::PipelineLayout(device_, {&buffers.scene_set(), &buffers.technique_set(),
+                                            &renderer_.guiding().look_up(), &set_});
     pipeline_ = {
-        device_,      layout_.get(), nullptr, code_, specialization(features_, renderer_.guide()),
+        device_,      layout_, nullptr, code_, specialization(features_, renderer_.guide()),
         name_.c_str()};
 }
 
@@ -38,16 +37,10 @@ void SidePass::run(glm::uvec3 groups, glm::uvec2 push) {
     for (uint32_t i = 0; i < buffers_.size(); ++i)
         set_.bind(i, buffers_[i]);
     gpu::run_now(device_, [&](VkCommandBuffer commands) {
-        const std::array sets{renderer_.path_tracer().scene_set(),
-                              renderer_.path_tracer().technique_set(), renderer_.guiding().set(),
-                              set_.handle()};
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
-                                static_cast<uint32_t>(sets.size()), sets.data(), 0, nullptr);
-        pipeline_.bind(commands);
-        vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push),
-                           &push);
-        vkCmdDispatch(commands, groups.x, groups.y, groups.z);
-        gpu::full_barrier(commands);
+        const std::array sets{renderer_.buffers().scene_set().handle(),
+                              renderer_.buffers().technique_set().handle(),
+                              renderer_.guiding().set(), set_.handle()};
+        pipeline_.dispatch(commands, {sets, gpu::bytes_of_value(push)}, {groups});
     });
 }
 

@@ -43,7 +43,7 @@ private:
     gpu::Buffer unused_;
     std::vector<gpu::Buffer> buffers_;
     gpu::DescriptorSet set_;
-    gpu::Handle<VkPipelineLayout> layout_;
+    gpu::PipelineLayout layout_;
     gpu::ComputePipeline pipeline_; // made by the first run()
 };
 

@@ -304,14 +304,14 @@ LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height) 
 
 void record_pixels(gpu::FrameCommands& commands, const gpu::Buffer& display,
                    glm::uvec2 picture_size, glm::uvec2 corner, const LegendPixels& pixels) {
-    gpu::full_barrier(commands.commands());
+    gpu::barrier(commands.commands(), gpu::access_of_shaders | gpu::access_of_copies,
+                 gpu::access_of_copies);
     for (uint32_t row = 0; row < pixels.height; ++row) {
         const uint64_t first = uint64_t{corner.y + row} * picture_size.x + corner.x;
         const std::span<const uint32_t> words(&pixels.rgba[size_t{row} * pixels.width],
                                               pixels.width);
         commands.upload(display, first * sizeof(uint32_t), gpu::bytes_of(words));
     }
-    gpu::full_barrier(commands.commands());
 }
 
 void Legend::record(gpu::FrameCommands& commands, const gpu::Buffer& display,

@@ -48,23 +48,13 @@ Handle<VkFence> make_fence(const Device& device) {
 
 } // namespace
 
-void full_barrier(VkCommandBuffer commands) {
-    VkMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-    barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &barrier, 0, nullptr, 0,
+void barrier(VkCommandBuffer commands, Access earlier, Access later) {
+    VkMemoryBarrier memory{};
+    memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    memory.srcAccessMask = earlier.kinds;
+    memory.dstAccessMask = later.kinds;
+    vkCmdPipelineBarrier(commands, earlier.stages, later.stages, 0, 1, &memory, 0, nullptr, 0,
                          nullptr);
-}
-
-void host_read_barrier(VkCommandBuffer commands) {
-    VkMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
-                         &barrier, 0, nullptr, 0, nullptr);
 }
 
 void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& record) {
@@ -73,7 +63,7 @@ void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& r
     begin_once(commands);
     full_barrier(commands);
     record(commands);
-    host_read_barrier(commands);
+    barrier(commands, access_of_copies, access_of_host);
     check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
     const Handle<VkFence> fence = make_fence(device);
     VkSubmitInfo submit{};

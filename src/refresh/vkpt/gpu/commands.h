@@ -15,11 +15,32 @@
 
 namespace vigil::gpu {
 
-/// Makes all earlier writes of this queue visible to all later commands.
-void full_barrier(VkCommandBuffer commands);
+/// Ways to use memory, for barriers.
+struct Access {
+    VkPipelineStageFlags stages;
+    VkAccessFlags kinds;
+    constexpr Access operator|(Access other) const {
+        return {stages | other.stages, kinds | other.kinds};
+    }
+};
+inline constexpr Access access_of_shaders{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                                          VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT |
+                                              VK_ACCESS_SHADER_WRITE_BIT};
+inline constexpr Access access_of_copies{
+    VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT};
+inline constexpr Access access_of_indirect_dispatches{VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
+                                                      VK_ACCESS_INDIRECT_COMMAND_READ_BIT};
+inline constexpr Access access_of_host{VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT};
+inline constexpr Access any_access{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                                   VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT};
 
-/// Lets the host read what was copied, once a fence tells that the commands are done.
-void host_read_barrier(VkCommandBuffer commands);
+/// Commands behind it that use memory as in `later` wait for those before it that used memory as in
+/// `earlier`, and see what they wrote.
+void barrier(VkCommandBuffer commands, Access earlier, Access later);
+/// A barrier for whatever is done before and behind it.
+inline void full_barrier(VkCommandBuffer commands) {
+    barrier(commands, any_access, any_access);
+}
 
 /// Records `record`, submits, waits until the GPU is done; the host may read what was copied.
 void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& record);
@@ -53,6 +74,7 @@ public:
 
     VkCommandBuffer commands() const { return commands_; }
     VkFence fence() const { return fence_.get(); }
+    const Device& device() const { return *device_; }
     GpuTimer& timer() { return timer_; }
 
     /// Waits until the GPU has finished this slot's last frame, unless that was done before, and
@@ -63,8 +85,8 @@ public:
     /// Ends recording and submits; `wait`/`signal` may be null.
     void submit(VkSemaphore wait, VkPipelineStageFlags wait_stage, VkSemaphore signal);
 
-    /// Records a copy of `bytes` into `target` at `offset`. Barriers are the caller's: a
-    /// full_barrier after the last upload of a frame.
+    /// Records a copy of `bytes` into `target` at `offset`. Barriers are the caller's: the next
+    /// pass that reads it waits for copies.
     void upload(const Buffer& target, uint64_t offset, std::span<const std::byte> bytes);
 
 private:

@@ -19,26 +19,23 @@ FirstDispatch::FirstDispatch(const Device& device, FrameCommands& commands, cons
     check(vkCreateBufferView(device.handle(), &info, nullptr, &view), "vkCreateBufferView");
     view_ = {device.handle(), view, vkDestroyBufferView};
 
-    std::vector<VkDescriptorSetLayout> layouts;
     std::vector<VkDescriptorSet> handles;
-    for (const std::vector<VkDescriptorType>& types : job.source.sets) {
+    for (const std::vector<VkDescriptorType>& types : job.layout->sets()) {
         DescriptorSet& set = sets_.emplace_back(device, types, buffer_, "unused");
         for (uint32_t i = 0; i < types.size(); ++i) {
             if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) set.bind(i, buffer_);
             if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) set.bind(i, view);
         }
-        layouts.push_back(set.layout());
         handles.push_back(set.handle());
     }
-    layout_ = make_pipeline_layout(device, layouts);
 
     commands_.begin();
     const VkCommandBuffer buffer = commands_.commands();
-    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0,
+    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, job.layout->handle(), 0,
                             static_cast<uint32_t>(handles.size()), handles.data(), 0, nullptr);
     const std::array<uint32_t, 32> constants{};
-    vkCmdPushConstants(buffer, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(constants),
-                       constants.data());
+    vkCmdPushConstants(buffer, job.layout->handle(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                       sizeof(constants), constants.data());
     vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, job.pipeline.get());
     vkCmdDispatch(buffer, 0, 1, 1);
     commands_.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);

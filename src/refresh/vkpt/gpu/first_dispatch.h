@@ -29,7 +29,6 @@ private:
     Buffer buffer_, texels_;
     Handle<VkBufferView> view_;
     std::vector<DescriptorSet> sets_;
-    Handle<VkPipelineLayout> layout_;
     bool done_ = false;
 };
 

@@ -154,19 +154,24 @@ void DescriptorSet::bind(uint32_t binding, VkAccelerationStructureKHR structure)
     vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
 }
 
-Handle<VkPipelineLayout> make_pipeline_layout(const Device& device,
-                                              std::span<const VkDescriptorSetLayout> sets) {
+PipelineLayout::PipelineLayout(const Device& device,
+                               std::initializer_list<const DescriptorSet*> sets) {
+    std::vector<VkDescriptorSetLayout> layouts;
+    for (const DescriptorSet* set : sets) {
+        sets_.push_back(set->types());
+        layouts.push_back(set->layout());
+    }
     const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, 128};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    info.setLayoutCount = static_cast<uint32_t>(sets.size());
-    info.pSetLayouts = sets.data();
+    info.setLayoutCount = static_cast<uint32_t>(layouts.size());
+    info.pSetLayouts = layouts.data();
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &push;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout),
           "vkCreatePipelineLayout");
-    return {device.handle(), layout, vkDestroyPipelineLayout};
+    layout_ = {device.handle(), layout, vkDestroyPipelineLayout};
 }
 
 Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout layout,
@@ -212,9 +217,10 @@ Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout 
     return {device.handle(), pipeline, vkDestroyPipeline};
 }
 
-ComputePipeline::ComputePipeline(const Device& device, VkPipelineLayout layout,
+ComputePipeline::ComputePipeline(const Device& device, const PipelineLayout& layout,
                                  const PipelineCache* cache, std::span<const uint32_t> spirv,
                                  std::span<const Specialization> constants, const char* name)
-    : pipeline_(make_compute_pipeline(device, layout, cache, spirv, constants, name)) {}
+    : layout_(&layout),
+      pipeline_(make_compute_pipeline(device, layout.handle(), cache, spirv, constants, name)) {}
 
 } // namespace vigil::gpu

@@ -7,7 +7,10 @@
 
 #include "refresh/vkpt/gpu/buffer.h"
 
+#include <glm/glm.hpp>
+
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -58,14 +61,26 @@ private:
     VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
-/// The pipeline layout made of some sets and 128 bytes of push constants.
-Handle<VkPipelineLayout> make_pipeline_layout(const Device& device,
-                                              std::span<const VkDescriptorSetLayout> sets);
+/// What pipelines see: sets like some, and 128 bytes of push constants.
+class PipelineLayout {
+public:
+    PipelineLayout() = default;
+    /// `sets` in the order of their numbers.
+    PipelineLayout(const Device& device, std::initializer_list<const DescriptorSet*> sets);
+    VkPipelineLayout handle() const { return layout_.get(); }
+    /// What the bindings of each set are.
+    const std::vector<std::vector<VkDescriptorType>>& sets() const { return sets_; }
+
+private:
+    std::vector<std::vector<VkDescriptorType>> sets_;
+    Handle<VkPipelineLayout> layout_;
+};
 
 /// One specialisation constant (booleans are 0 or 1; floats go in by their bits).
 struct Specialization {
     uint32_t id;
     uint32_t value;
+    bool operator==(const Specialization&) const = default;
 };
 
 /// `name` is that of the pass, for labels and messages.
@@ -79,9 +94,21 @@ Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout 
 struct PipelineSource {
     std::span<const uint32_t> spirv; ///< the embedded shader: it outlives all pipelines
     std::vector<Specialization> constants;
-    std::string name;                                ///< of the pass, for labels and messages
-    std::vector<std::vector<VkDescriptorType>> sets; ///< what the bindings of each set are
-    bool ray_queries = false;                        ///< it traces acceleration structures
+    std::string name;         ///< of the pass, for labels and messages
+    bool ray_queries = false; ///< it traces acceleration structures
+};
+
+/// What a dispatch reads: a set for each of its layout, and push constants.
+struct Inputs {
+    std::span<const VkDescriptorSet> sets;
+    std::span<const std::byte> push{};
+};
+
+/// How many work groups: so many, or what the GPU has counted (a VkDispatchIndirectCommand).
+struct WorkGroups {
+    glm::uvec3 count{1, 1, 1};
+    VkBuffer counted = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0;
 };
 
 class PipelineCompiler;
@@ -90,24 +117,26 @@ struct PipelineJob;
 class ComputePipeline {
 public:
     ComputePipeline() = default;
-    /// Makes it now. `spirv` is the embedded shader, `name` the pass, for labels and messages.
-    ComputePipeline(const Device& device, VkPipelineLayout layout, const PipelineCache* cache,
+    /// Makes it now. `layout` outlives it; `spirv` is the embedded shader, `name` the pass, for
+    /// labels and messages.
+    ComputePipeline(const Device& device, const PipelineLayout& layout, const PipelineCache* cache,
                     std::span<const uint32_t> spirv, std::span<const Specialization> constants,
                     const char* name);
-    /// Has it made by the compiler's threads. `layout` is that of the source's sets and outlives
-    /// the pipeline.
-    ComputePipeline(PipelineCompiler& compiler, VkPipelineLayout layout, PipelineSource source);
+    /// Has it made by the compiler's threads.
+    ComputePipeline(PipelineCompiler& compiler, const PipelineLayout& layout,
+                    PipelineSource source);
     ~ComputePipeline();
     ComputePipeline(ComputePipeline&&) noexcept;
     ComputePipeline& operator=(ComputePipeline&&) noexcept;
 
     explicit operator bool() const { return pipeline_ || job_; }
-    /// Waits while it is made. Throws Error when that failed.
-    void bind(VkCommandBuffer commands) const;
+    /// Records work groups. Waits while the pipeline is made; throws Error when that failed.
+    void dispatch(VkCommandBuffer commands, const Inputs& inputs, const WorkGroups& groups) const;
 
 private:
     void drop_job();
 
+    const PipelineLayout* layout_ = nullptr;
     Handle<VkPipeline> pipeline_;
     std::shared_ptr<PipelineJob> job_; // null where it was made at once
 };

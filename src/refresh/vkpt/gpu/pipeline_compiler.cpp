@@ -33,10 +33,11 @@ PipelineCompiler::~PipelineCompiler() {
         thread.join();
 }
 
-std::shared_ptr<PipelineJob> PipelineCompiler::add(VkPipelineLayout layout, PipelineSource source) {
+std::shared_ptr<PipelineJob> PipelineCompiler::add(const PipelineLayout& layout,
+                                                   PipelineSource source) {
     auto job = std::make_shared<PipelineJob>();
     job->compiler = this;
-    job->layout = layout;
+    job->layout = &layout;
     job->source = std::move(source);
     {
         const std::lock_guard lock(mutex_);
@@ -131,7 +132,7 @@ void PipelineCompiler::work() {
         std::string fault;
         const PipelineSource& source = job->source;
         try {
-            pipeline = make_compute_pipeline(device_, job->layout, &cache_, source.spirv,
+            pipeline = make_compute_pipeline(device_, job->layout->handle(), &cache_, source.spirv,
                                              source.constants, source.name.c_str());
         } catch (const std::exception& error) {
             fault = error.what();
@@ -151,9 +152,9 @@ void PipelineCompiler::work() {
     }
 }
 
-ComputePipeline::ComputePipeline(PipelineCompiler& compiler, VkPipelineLayout layout,
+ComputePipeline::ComputePipeline(PipelineCompiler& compiler, const PipelineLayout& layout,
                                  PipelineSource source)
-    : job_(compiler.add(layout, std::move(source))) {}
+    : layout_(&layout), job_(compiler.add(layout, std::move(source))) {}
 
 ComputePipeline::~ComputePipeline() {
     drop_job();
@@ -164,6 +165,7 @@ ComputePipeline::ComputePipeline(ComputePipeline&&) noexcept = default;
 ComputePipeline& ComputePipeline::operator=(ComputePipeline&& other) noexcept {
     if (this == &other) return *this;
     drop_job();
+    layout_ = other.layout_;
     pipeline_ = std::move(other.pipeline_);
     job_ = std::move(other.job_);
     return *this;
@@ -174,9 +176,21 @@ void ComputePipeline::drop_job() {
     job_.reset();
 }
 
-void ComputePipeline::bind(VkCommandBuffer commands) const {
+void ComputePipeline::dispatch(VkCommandBuffer commands, const Inputs& inputs,
+                               const WorkGroups& groups) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                       job_ ? job_->compiler->wait(*job_) : pipeline_.get());
+    if (!inputs.sets.empty())
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_->handle(), 0,
+                                static_cast<uint32_t>(inputs.sets.size()), inputs.sets.data(), 0,
+                                nullptr);
+    if (!inputs.push.empty())
+        vkCmdPushConstants(commands, layout_->handle(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           static_cast<uint32_t>(inputs.push.size()), inputs.push.data());
+    if (groups.counted != VK_NULL_HANDLE)
+        vkCmdDispatchIndirect(commands, groups.counted, groups.offset);
+    else
+        vkCmdDispatch(commands, groups.count.x, groups.count.y, groups.count.z);
 }
 
 } // namespace vigil::gpu

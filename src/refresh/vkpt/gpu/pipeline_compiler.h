@@ -19,7 +19,7 @@ struct PipelineJob {
     enum class State { Queued, UnderWay, Finished };
 
     PipelineCompiler* compiler = nullptr;
-    VkPipelineLayout layout = VK_NULL_HANDLE;
+    const PipelineLayout* layout = nullptr;
     PipelineSource source;
     State state = State::Queued;
     Handle<VkPipeline> pipeline;
@@ -45,7 +45,7 @@ public:
 
 private:
     friend class ComputePipeline;
-    std::shared_ptr<PipelineJob> add(VkPipelineLayout layout, PipelineSource source);
+    std::shared_ptr<PipelineJob> add(const PipelineLayout& layout, PipelineSource source);
     /// The pipeline, once it can be used. Throws Error when it could not be made.
     VkPipeline wait(const PipelineJob& job);
     /// Nobody wants it any more; waits while the device is at work on it.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/guiding/guiding.h"
 
-#include "refresh/vkpt/gpu/shader_library.h"
 #include "shared/bindings.h"
 #include "shared/octree.h"
 #include "shared/scene_types.h"
@@ -54,11 +53,16 @@ uint32_t scaled(int threshold, double factor, uint32_t least) {
 } // namespace
 
 Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, size_t slots)
-    : device_(device), compiler_(compiler), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       header_buffer_(device, sizeof(shader::GuidingHeader), gpu::MemoryUse::Device,
                      "guiding header"),
       work_(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Device, "guiding work",
-            VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT) {
+            VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT),
+      mark_(Pass::OctreeMark, compiler, layout_),
+      deduplicate_(Pass::VlcDeduplicate, compiler, layout_),
+      merge_(Pass::VlcMerge, compiler, layout_), guide_(Pass::GuideAdapt, compiler, layout_),
+      adapt_(Pass::OctreeAdapt, compiler, layout_),
+      augment_(Pass::OctreeAugment, compiler, layout_) {
     const std::vector<VkDescriptorType> lookup(GUIDING_BINDING_COUNT,
                                                VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     const std::vector<VkDescriptorType> passes(pass_binding_count,
@@ -72,40 +76,22 @@ Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, siz
                                  "guiding statistics");
         std::memset(statistics_.back().mapped(), 0, sizeof(shader::GuidingWork));
     }
-    pass_layout_ = gpu::make_pipeline_layout(device, std::array{trees_[0].passes.layout()});
+    layout_ = gpu::PipelineLayout(device, {&trees_[0].passes});
 }
 
-void Guiding::make_pipelines() {
-    const auto make = [&](gpu::ComputePipeline& pipeline, const char* name,
-                          std::vector<gpu::Specialization> constants) {
-        if (pipeline) return;
-        pipeline = {compiler_,
-                    pass_layout_.get(),
-                    {shader_code(name), std::move(constants), name, {trees_[0].passes.types()}}};
-    };
+void Guiding::choose_pipelines() {
     const uint32_t subgroup = device_.features().subgroup_size;
     const std::vector<gpu::Specialization> lanes{
         {CONSTANT_GROUP_SIZE, std::max(subgroup, shader::VLC_LEAST_LANES)}};
-    make(mark_, "octree_mark", lanes);
-    make(rebuild_, "octree_rebuild", lanes);
-    make(populate_, "octree_populate", lanes);
-    if (options_.lights) {
-        make(deduplicate_, "vlc_deduplicate", lanes);
-        make(merge_, "vlc_merge", lanes);
-    }
-    if (options_.guide.guides()) {
-        const std::string name = fmt::format("guide_adapt.{}", guider_name(options_.guide.guide));
-        make(guide_adapt(), name.c_str(),
-             {{CONSTANT_GROUP_SIZE, subgroup}, {CONSTANT_GUIDER_SIZE, options_.guide.size}});
-    }
-}
-
-gpu::ComputePipeline& Guiding::guide_adapt() {
-    const auto known = std::ranges::find(guide_adapt_, options_.guide,
-                                         [](const auto& made) { return made->choice; });
-    if (known != guide_adapt_.end()) return (*known)->pipeline;
-    guide_adapt_.push_back(std::make_unique<GuidePass>(GuidePass{options_.guide, {}}));
-    return guide_adapt_.back()->pipeline;
+    for (ComputePass* pass : {&mark_, &adapt_, &augment_})
+        pass->choose("", lanes);
+    if (options_.lights)
+        for (ComputePass* pass : {&deduplicate_, &merge_})
+            pass->choose("", lanes);
+    if (options_.guide.guides())
+        guide_.choose(
+            fmt::format(".{}", guider_name(options_.guide.guide)),
+            {{CONSTANT_GROUP_SIZE, subgroup}, {CONSTANT_GUIDER_SIZE, options_.guide.size}});
 }
 
 Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide guide,
@@ -154,7 +140,7 @@ bool Guiding::prepare(const Options& options) {
                 options_.settings.memory_words < memory;
     options_ = options;
     options_.settings.memory_words = memory;
-    make_pipelines();
+    choose_pipelines();
     if (fits) return false;
     device_.wait_idle();
     make_buffers();
@@ -241,49 +227,30 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
 void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
     if (restart_) upload_start(commands);
     shader::GuidingWork start{};
-    start.deduplicate_groups = start.merge_groups = start.populate_groups = {0, 1, 1};
+    start.deduplicate_groups = start.merge_groups = start.augment_groups = {0, 1, 1};
     commands.upload(work_, 0, gpu::bytes_of_value(start));
-    const VkCommandBuffer buffer = commands.commands();
-    gpu::full_barrier(buffer);
-
     const VkDescriptorSet set = trees_[current_].passes.handle();
-    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, pass_layout_.get(), 0, 1, &set,
-                            0, nullptr);
-    vkCmdPushConstants(buffer, pass_layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                       sizeof(options_.settings), &options_.settings);
-    const uint32_t node_groups = (header_.node_capacity + 63) / 64;
-    const auto run = [&](const gpu::ComputePipeline& pipeline, uint32_t groups) {
-        pipeline.bind(buffer);
-        vkCmdDispatch(buffer, groups, 1, 1);
-        gpu::full_barrier(buffer);
+    const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(options_.settings)};
+    const gpu::WorkGroups nodes{{(header_.node_capacity + 63) / 64, 1, 1}};
+    // A work group for each leaf of a list that the passes have made.
+    const auto listed = [&](size_t counted) {
+        return gpu::WorkGroups{{}, work_.handle(), counted};
     };
-    const auto run_indirect = [&](const gpu::ComputePipeline& pipeline, size_t groups) {
-        pipeline.bind(buffer);
-        vkCmdDispatchIndirect(buffer, work_.handle(), groups);
-        gpu::full_barrier(buffer);
-    };
-    {
-        const PassScope scope(device_, commands, Pass::OctreeMark);
-        run(mark_, node_groups);
-    }
-    const auto run_listed = [&](Pass pass, const gpu::ComputePipeline& pipeline, size_t groups) {
-        const PassScope scope(device_, commands, pass);
-        run_indirect(pipeline, groups);
-    };
-    const size_t sampled = offsetof(shader::GuidingWork, deduplicate_groups);
+    const gpu::WorkGroups sampled = listed(offsetof(shader::GuidingWork, deduplicate_groups));
+    mark_.record(commands, inputs, nodes);
     if (options_.lights) {
-        run_listed(Pass::VlcDeduplicate, deduplicate_, sampled);
-        run_listed(Pass::VlcMerge, merge_, offsetof(shader::GuidingWork, merge_groups));
+        deduplicate_.record(commands, inputs, sampled);
+        merge_.record(commands, inputs, listed(offsetof(shader::GuidingWork, merge_groups)));
     }
-    if (options_.guide.guides()) run_listed(Pass::GuideAdapt, guide_adapt(), sampled);
-    {
-        const PassScope scope(device_, commands, Pass::OctreeAdapt);
-        run(rebuild_, 1);
-    }
-    run_listed(Pass::OctreeAugment, populate_, offsetof(shader::GuidingWork, populate_groups));
+    if (options_.guide.guides()) guide_.record(commands, inputs, sampled);
+    adapt_.record(commands, inputs, {});
+    augment_.record(commands, inputs, listed(offsetof(shader::GuidingWork, augment_groups)));
+
+    const VkCommandBuffer buffer = commands.commands();
+    gpu::barrier(buffer, gpu::access_of_shaders, gpu::access_of_copies);
     const VkBufferCopy copy{0, 0, sizeof(shader::GuidingWork)};
     vkCmdCopyBuffer(buffer, work_.handle(), statistics_[slot].handle(), 1, &copy);
-    gpu::host_read_barrier(buffer);
+    gpu::barrier(buffer, gpu::access_of_copies, gpu::access_of_host);
     current_ = 1 - current_;
 }
 

@@ -5,14 +5,12 @@
 // positions and light ids; nothing of levels or lights.
 #pragma once
 
-#include "refresh/vkpt/gpu/passes.h"
-#include "refresh/vkpt/gpu/pipeline_compiler.h"
+#include "refresh/vkpt/gpu/compute_pass.h"
 #include "refresh/vkpt/guiding/guider.h"
 #include "shared/guiding_types.h"
 
 #include <array>
 #include <glm/glm.hpp>
-#include <memory>
 #include <vector>
 
 namespace vigil::vkpt {
@@ -54,7 +52,6 @@ public:
 
     /// Set 2 of the path tracer: look-ups and storing samples (shaders/guiding/octree.glsl).
     const gpu::DescriptorSet& look_up() const { return trees_[0].lookup; }
-    VkDescriptorSetLayout layout() const { return look_up().layout(); }
     VkDescriptorSet set() const { return trees_[current_].lookup.handle(); }
 
     uint64_t memory_bytes() const;
@@ -77,26 +74,19 @@ public:
     const shader::GuidingHeader& header() const { return header_; }
 
 private:
-    void make_pipelines();
-    gpu::ComputePipeline& guide_adapt();
+    void choose_pipelines();
     void make_buffers();
     void bind(Tree& from, const Tree& to);
     void upload_start(gpu::FrameCommands& commands);
 
     const gpu::Device& device_;
-    gpu::PipelineCompiler& compiler_;
     gpu::Buffer unused_;
     std::array<Tree, 2> trees_;
     size_t current_ = 0;
     gpu::Buffer header_buffer_, plan_, samples_, rays_, lists_, work_;
     std::vector<gpu::Buffer> statistics_;
-    gpu::Handle<VkPipelineLayout> pass_layout_;
-    struct GuidePass {
-        GuideChoice choice;
-        gpu::ComputePipeline pipeline;
-    };
-    std::vector<std::unique_ptr<GuidePass>> guide_adapt_; // made when needed
-    gpu::ComputePipeline mark_, deduplicate_, merge_, rebuild_, populate_;
+    gpu::PipelineLayout layout_; // of the passes
+    ComputePass mark_, deduplicate_, merge_, guide_, adapt_, augment_;
     Options options_;
     shader::GuidingHeader header_{};
     bool restart_ = true;

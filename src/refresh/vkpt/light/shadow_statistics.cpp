@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/shadow_statistics.h"
 
-#include "refresh/vkpt/gpu/passes.h"
-#include "refresh/vkpt/gpu/shader_library.h"
 #include "shared/shadow_statistics.h"
 
 #include <algorithm>
@@ -20,8 +18,10 @@ constexpr uint64_t least_slots = 1 << 12, most_slots = 1 << 21;
 
 } // namespace
 
-ShadowStatistics::ShadowStatistics(const gpu::Device& device)
-    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused") {}
+ShadowStatistics::ShadowStatistics(const gpu::Device& device, gpu::PipelineCompiler& compiler)
+    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      set_(device, std::array{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}, unused_, "shadow statistics set"),
+      layout_(device, {&set_}), pass_(Pass::ShadowStatistics, compiler, layout_) {}
 
 uint32_t ShadowStatistics::slots_for(uint64_t pairs) {
     return std::bit_ceil(static_cast<uint32_t>(
@@ -36,33 +36,24 @@ bool ShadowStatistics::reserve(uint64_t pairs) {
         gpu::Buffer(device_, sizeof(uint32_t) * (1 + uint64_t{shader::SHADOW_SLOT_WORDS} * slots),
                     gpu::MemoryUse::Device, "shadow statistics");
     slots_ = slots;
-    if (!pass_) {
-        const std::array types{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-        set_ = gpu::DescriptorSet(device_, types, unused_, "shadow statistics set");
-        layout_ = gpu::make_pipeline_layout(device_, std::array{set_.layout()});
-        pass_ = {device_, layout_.get(),      nullptr, shader_code("shadow_statistics"),
-                 {},      "shadow_statistics"};
-    }
+    pass_.choose();
     set_.bind(0, table_);
     empty_ = true;
     return true;
 }
 
 void ShadowStatistics::adapt(gpu::FrameCommands& commands) {
-    const PassScope scope(device_, commands, Pass::ShadowStatistics);
-    const VkCommandBuffer buffer = commands.commands();
     if (empty_) {
+        const PassScope scope(commands, Pass::ShadowStatistics);
+        const VkCommandBuffer buffer = commands.commands();
         vkCmdFillBuffer(buffer, table_.handle(), 0, VK_WHOLE_SIZE, 0);
-        gpu::full_barrier(buffer);
+        gpu::barrier(buffer, gpu::access_of_copies, gpu::access_of_copies);
         commands.upload(table_, 0, gpu::bytes_of_value(slots_));
         empty_ = false;
         return;
     }
     const VkDescriptorSet set = set_.handle();
-    vkCmdBindDescriptorSets(buffer, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set, 0,
-                            nullptr);
-    pass_.bind(buffer);
-    vkCmdDispatch(buffer, (slots_ + 63) / 64, 1, 1);
+    pass_.record(commands, {std::span(&set, 1)}, {{(slots_ + 63) / 64, 1, 1}});
 }
 
 } // namespace vigil::vkpt

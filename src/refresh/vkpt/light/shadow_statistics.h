@@ -3,14 +3,13 @@
 // the surface (shaders/shared/shadow_statistics.h), and the pass that makes it ready for a frame.
 #pragma once
 
-#include "refresh/vkpt/gpu/commands.h"
-#include "refresh/vkpt/gpu/pipeline.h"
+#include "refresh/vkpt/gpu/compute_pass.h"
 
 namespace vigil::vkpt {
 
 class ShadowStatistics {
 public:
-    explicit ShadowStatistics(const gpu::Device& device);
+    ShadowStatistics(const gpu::Device& device, gpu::PipelineCompiler& compiler);
 
     /// Makes room for lists of so many lights together. Returns true if the buffer was made anew:
     /// it has forgotten everything then, and the GPU is idle.
@@ -31,8 +30,8 @@ private:
     const gpu::Device& device_;
     gpu::Buffer unused_;
     gpu::DescriptorSet set_;
-    gpu::Handle<VkPipelineLayout> layout_;
-    gpu::ComputePipeline pass_; // made when first needed
+    gpu::PipelineLayout layout_;
+    ComputePass pass_;
     gpu::Buffer table_;
     uint32_t slots_ = 0;
     bool empty_ = true;

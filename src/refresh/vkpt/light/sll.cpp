@@ -10,7 +10,7 @@ namespace {
 class StaticLightLists : public LightTechnique {
 public:
     explicit StaticLightLists(const TechniqueContext& context)
-        : lists_(context), shadows_(context.device) {}
+        : lists_(context), shadows_(context.device, context.compiler) {}
 
     bool prepare(const LightFrame& frame) override {
         learns_ = frame.settings.pt_sll_stats != 0;

@@ -18,6 +18,10 @@ namespace vigil {
 class LightLister;
 }
 
+namespace vigil::gpu {
+class PipelineCompiler;
+}
+
 namespace vigil::vkpt {
 
 class LightSet;
@@ -39,7 +43,7 @@ public:
     /// Records the copies of what changed; after prepare.
     virtual void upload(gpu::FrameCommands& commands) = 0;
     /// Records passes that turn what the frames before taught into what this frame reads; after
-    /// upload and a barrier, and ends with one.
+    /// upload.
     virtual void adapt(gpu::FrameCommands&) {}
     /// Forgets what frames taught: the next adapt() begins anew.
     virtual void forget() {}
@@ -57,6 +61,7 @@ public:
 /// What techniques are made from: valid as long as the level is.
 struct TechniqueContext {
     const gpu::Device& device;
+    gpu::PipelineCompiler& compiler;
     const LightLister& lister; // PVS clusters of the level
 };
 

@@ -94,7 +94,7 @@ void main() {
     if (lane != 0u) return;
     new_node_count = 1u + total.x + min(total.y, room);
     work.nodes = new_node_count;
-    work.populate_groups.x = (8u * new_node_count + 63u) / 64u;
+    work.augment_groups.x = (8u * new_node_count + 63u) / 64u;
     work.splits = min(total.y, room);
     work.splits_refused = total.y - min(total.y, room);
 }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/pathtrace/frame_buffers.h"
+
+#include "refresh/vkpt/light/ltc_table.h"
+#include "shared/direction_map.h"
+
+namespace vigil::vkpt {
+
+namespace {
+
+std::vector<VkDescriptorType> scene_binding_types(bool ray_query) {
+    std::vector<VkDescriptorType> types(SCENE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    types[BINDING_FRAME] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    types[BINDING_BVH_NODES] = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    if (ray_query)
+        types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    else
+        types.resize(BINDING_ACCELERATION_STRUCTURE);
+    return types;
+}
+
+} // namespace
+
+FrameBuffers::FrameBuffers(const gpu::Device& device, const gpu::DescriptorSet& guiding)
+    : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      frame_(device, sizeof(shader::FrameParams), gpu::MemoryUse::Device, "frame parameters",
+             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+      counters_(device, sizeof(shader::FrameCounters), gpu::MemoryUse::Device, "counters"),
+      ltc_(gpu::make_buffer(device, std::as_bytes(ltc_table()), "LTC table")),
+      direction_map_(device,
+                     sizeof(float) * (shader::DIRECTION_MAP_GROUPS +
+                                      shader::DIRECTION_MAP_EDGE * shader::DIRECTION_MAP_EDGE),
+                     gpu::MemoryUse::Device, "direction map"),
+      scene_set_(device, scene_binding_types(device.features().ray_query), unused_, "scene set") {
+    const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
+                                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    for (gpu::DescriptorSet& set : technique_sets_)
+        set = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
+    layout_ = gpu::PipelineLayout(device, {&scene_set_, &technique_sets_[0], &guiding});
+    gpu::run_now(device, [&](VkCommandBuffer commands) {
+        vkCmdFillBuffer(commands, counters_.handle(), 0, VK_WHOLE_SIZE, 0);
+    });
+}
+
+void FrameBuffers::resize(glm::uvec2 size) {
+    const uint64_t pixels = uint64_t{size.x} * size.y;
+    const auto make = [&](uint64_t bytes, const char* name) {
+        return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
+    };
+    // All are made before any is kept, so that a size that does not fit leaves the old one working.
+    gpu::Buffer surfaces = make(pixels * sizeof(shader::PrimaryHit), "primary hits");
+    gpu::Buffer radiance = make(pixels * sizeof(glm::vec3), "radiance");
+    gpu::Buffer accumulation = make(2 * pixels * sizeof(glm::vec3), "accumulation");
+    gpu::Buffer exposure =
+        make(sizeof(float) + uint64_t{(size.x + 7) / 8} * ((size.y + 7) / 8) * sizeof(glm::vec2),
+             "exposure");
+    gpu::Buffer display = make(pixels * sizeof(uint32_t), "display");
+    surfaces_ = std::move(surfaces);
+    radiance_ = std::move(radiance);
+    accumulation_ = std::move(accumulation);
+    exposure_ = std::move(exposure);
+    display_ = std::move(display);
+    size_ = size;
+}
+
+void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
+                        const LightTechnique* right) {
+    scene_set_.bind(BINDING_FRAME, frame_);
+    scene.nodes().bind(scene_set_.handle(), BINDING_BVH_NODES);
+    scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
+    scene_set_.bind(BINDING_TOP_NODES, scene.top_nodes());
+    scene_set_.bind(BINDING_INSTANCES, scene.instances());
+    scene_set_.bind(BINDING_PRIMITIVES, scene.primitives());
+    scene_set_.bind(BINDING_MATERIALS, scene.materials());
+    scene_set_.bind(BINDING_TEXTURES, scene.textures());
+    scene_set_.bind(BINDING_TEXELS, scene.texels());
+    scene_set_.bind(BINDING_LIGHTS, scene.light_buffer());
+    scene_set_.bind(BINDING_BSP, scene.cluster_tree());
+    scene_set_.bind(BINDING_LTC, ltc_);
+    scene_set_.bind(BINDING_SURFACES, surfaces_);
+    scene_set_.bind(BINDING_RADIANCE, radiance_);
+    scene_set_.bind(BINDING_ACCUMULATION, accumulation_);
+    scene_set_.bind(BINDING_EXPOSURE, exposure_);
+    scene_set_.bind(BINDING_COUNTERS, counters_);
+    scene_set_.bind(BINDING_DISPLAY, display_);
+    scene_set_.bind(BINDING_DIRECTION_MAP, direction_map_);
+    // The compute backend's pipelines do not look at this binding.
+    if (scene.acceleration_structure() != VK_NULL_HANDLE)
+        scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, scene.acceleration_structure());
+    const std::array<const LightTechnique*, most_sides> techniques{&technique, right};
+    for (size_t side = 0; side < most_sides; ++side) {
+        LightTechnique::Bindings bindings{};
+        if (techniques[side] != nullptr) bindings = techniques[side]->bindings();
+        for (uint32_t i = 0; i < bindings.size(); ++i)
+            technique_sets_[side].bind(i, bindings[i] ? *bindings[i] : unused_);
+    }
+}
+
+FrameBuffers::SideInputs FrameBuffers::side(std::span<const PictureSide> sides, size_t side,
+                                            uint32_t path, uint32_t paths) const {
+    const PictureSide& chosen = sides[side];
+    return {{scene_set_.handle(), technique_sets_[side].handle(), chosen.guiding},
+            {path, paths, chosen.first_column, chosen.end_column, chosen.samples_lights ? 1u : 0u,
+             chosen.guided ? 1u : 0u}};
+}
+
+} // namespace vigil::vkpt

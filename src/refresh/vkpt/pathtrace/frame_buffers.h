@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What all passes from camera rays to the finished picture share: the frame's parameters, the
+// buffers whose size follows the resolution, the descriptor sets 0 and 1, and the layout of sets 0,
+// 1 and 2 (shaders/shared/bindings.h).
+#pragma once
+
+#include "refresh/vkpt/pathtrace/picture_side.h"
+#include "shared/frame_params.h"
+
+#include <array>
+
+namespace vigil::vkpt {
+
+class FrameBuffers {
+public:
+    /// `guiding` is a set like set 2.
+    FrameBuffers(const gpu::Device& device, const gpu::DescriptorSet& guiding);
+
+    /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
+    /// too small.
+    void resize(glm::uvec2 size);
+    /// Points the sets at the scene's and the technique's buffers; `right` is that of the second
+    /// side, null if there is none. The GPU must be idle.
+    void bind(const Scene& scene, const LightTechnique& technique,
+              const LightTechnique* right = nullptr);
+    /// Records the copy of the frame's parameters.
+    void upload(gpu::FrameCommands& commands, const shader::FrameParams& params) const {
+        commands.upload(frame_, 0, gpu::bytes_of_value(params));
+    }
+
+    /// What a dispatch for one side reads: the sets, and whose path it traces (PassConstants).
+    struct SideInputs {
+        std::array<VkDescriptorSet, 3> sets;
+        shader::PassConstants push;
+        gpu::Inputs inputs() const { return {sets, gpu::bytes_of_value(push)}; }
+    };
+    SideInputs side(std::span<const PictureSide> sides, size_t side, uint32_t path,
+                    uint32_t paths) const;
+    /// Work groups of 8 x 8 pixels that cover the picture, or the columns of a side.
+    gpu::WorkGroups groups() const { return {{tiles(), 1}}; }
+    gpu::WorkGroups groups(const PictureSide& side) const {
+        return {{(side.end_column + 7) / 8 - side.first_column / 8, tiles().y, 1}};
+    }
+
+    const gpu::PipelineLayout& layout() const { return layout_; }
+    const gpu::DescriptorSet& scene_set() const { return scene_set_; }
+    /// Of the first side.
+    const gpu::DescriptorSet& technique_set() const { return technique_sets_[0]; }
+
+    glm::uvec2 size() const { return size_; }
+    glm::uvec2 tiles() const { return (size_ + 7u) / 8u; }
+    const gpu::Buffer& display() const { return display_; }
+    const gpu::Buffer& mean_radiance() const { return accumulation_; }
+    const gpu::Buffer& counters() const { return counters_; }
+    const gpu::Buffer& primary_hits() const { return surfaces_; }
+    /// Light that arrives at the crosshair, for pt_view cdq: shaders/debug/direction_map.glsl.
+    const gpu::Buffer& direction_map() const { return direction_map_; }
+
+private:
+    const gpu::Device& device_;
+    glm::uvec2 size_{0, 0};
+    gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
+        display_, ltc_, direction_map_;
+    gpu::DescriptorSet scene_set_;
+    std::array<gpu::DescriptorSet, most_sides> technique_sets_;
+    gpu::PipelineLayout layout_;
+};
+
+} // namespace vigil::vkpt
