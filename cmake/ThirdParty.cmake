@@ -6,7 +6,6 @@ option(VIGIL_HEADER_LIBRARIES "Compile stb, tinyexr and tinygltf from their head
 set(VIGIL_IMGUI_SOURCE "" CACHE PATH "Folder of Dear ImGui's sources (1.86 or newer), where the system has no package of it")
 
 find_package(PkgConfig REQUIRED)
-find_package(CLI11 REQUIRED)
 
 # vigil_header_library(NAME HEADER): a static library of src/third_party/NAME.cpp, the body of a header found on the system.
 # Its warnings are not ours.
@@ -58,10 +57,16 @@ else()
     "a folder of its sources; docs/systems.md tells where they come from.")
 endif()
 
-# Of Boost only what is in headers (Boost.Math).
-find_path(VIGIL_BOOST_INCLUDE boost/math/distributions/students_t.hpp REQUIRED)
-add_library(vigil_boost INTERFACE)
-target_include_directories(vigil_boost SYSTEM INTERFACE ${VIGIL_BOOST_INCLUDE})
+# For measurements, tools and tests alone. Of Boost only what is in headers (Boost.Math).
+find_package(CLI11 QUIET)
+find_path(VIGIL_BOOST_INCLUDE boost/math/distributions/students_t.hpp)
+if(CLI11_FOUND AND VIGIL_BOOST_INCLUDE)
+  set(VIGIL_MEASURES ON)
+  add_library(vigil_boost INTERFACE)
+  target_include_directories(vigil_boost SYSTEM INTERFACE ${VIGIL_BOOST_INCLUDE})
+else()
+  message(STATUS "CLI11 or Boost not found: measurements, tools and tests are not built")
+endif()
 
 # For the tests of exported scenes alone: without it they are not built.
 find_library(VIGIL_TINYGLTF_LIBRARY tinygltf)

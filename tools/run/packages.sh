@@ -17,9 +17,8 @@ program |                               | libimgui-dev                          
 program |                               | zlib1g-dev                                 | zlib-devel                        | zlib
 program |                               | libturbojpeg0-dev libpng-dev               | turbojpeg-devel libpng-devel      | libjpeg-turbo libpng
 program |                               | libglm-dev libfmt-dev nlohmann-json3-dev   | glm-devel fmt-devel json-devel    | glm fmt nlohmann-json
-program |                               | libcli11-dev libboost-dev                  | cli11-devel boost-devel           | cli11 boost
 program |                               | libstb-dev libtinyexr-dev                  | stb_image-devel stb_image_write-devel tinyexr-devel | stb @tinyexr
-tests   |                               | libgtest-dev                               | gtest-devel                       | gtest
+tests   |                               | libgtest-dev libcli11-dev libboost-dev     | gtest-devel cli11-devel boost-devel | gtest cli11 boost
 tests   | tests run without Vulkan's validation | vulkan-validationlayers            | vulkan-validation-layers          | vulkan-validation-layers
 tests   | exported scenes are not tested | libtinygltf-dev                           | tinygltf-devel                    | -
 tests   | no test opens a window, where there is no display | xvfb xauth             | xorg-x11-server-Xvfb xorg-x11-xauth | xorg-server-xvfb xorg-xauth
@@ -28,6 +27,7 @@ tests   | rays are not compared with Embree's | libembree-dev                   
 tests   | formatting is not checked     | clang-format                               | clang-tools-extra                 | clang
 tests   | page, plots and faults are not tested | python3                            | python3                           | python
 fuzz    | no fuzzing                    | clang libclang-rt-dev/clang                | clang compiler-rt                 | clang compiler-rt
+bench   |                               | libcli11-dev libboost-dev                  | cli11-devel boost-devel           | cli11 boost
 bench   | `bench trace` has nothing to compare with | libembree-dev                  | embree-devel                      | embree
 bench   | no plots                      | python3-matplotlib                         | python3-matplotlib                | python-matplotlib
 report  |                               | python3 python3-venv                       | python3 python3-pip               | python

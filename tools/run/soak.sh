@@ -8,10 +8,10 @@ soak() {
   if [ "${1:-}" = sanitized ]; then folder=build-asan && shift; fi
   [[ "${1:-}" =~ ^[0-9.]+$ ]] || die "soak: how many minutes?"
   if [ $folder = build ]; then
-    build
+    build tests
     ninja -C build vigil_soak
   else
-    set_up
+    set_up tests
     configure_sanitized
     step "Building the program with AddressSanitizer and UndefinedBehaviorSanitizer in build-asan/"
     ninja -C build-asan vigil_soak
