@@ -35,13 +35,11 @@ struct FrameParams {
 /// Push constants of the path tracer's passes. A picture has two sides while techniques are
 /// compared, else one; passes of a side look at its columns only.
 struct PassConstants {
-    uint path_index;   // which of the frame's pt_spp paths per pixel a dispatch traces: only path 0
-                       // teaches. A dispatch that traces none
-    uint path_count;   // of them (views) has path_index == path_count
+    uint path_index;   // which of the frame's pt_spp paths per pixel a dispatch traces: only path 0 teaches
+    uint path_count;   // of them; a dispatch that traces none (views) has path_index == path_count
     uint first_column; // of the side
     uint end_column;   // the one after its last
-    uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of
-                         // it
+    uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of it
     uint guided; // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
 };
 

@@ -26,14 +26,10 @@ enum class Guide {
 #undef VIGIL_GUIDER_ENUMERATOR
 };
 
-/// The names with bars between them: "brdf|cdq|...".
-inline constexpr std::string_view guider_choices =
-    std::string_view(
 #define VIGIL_GUIDER_CHOICE(name, help) "|" #name
-        VIGIL_GUIDER_TABLE(VIGIL_GUIDER_CHOICE)
+/// The names with bars between them: "brdf|cdq|...".
+inline constexpr std::string_view guider_choices = std::string_view(VIGIL_GUIDER_TABLE(VIGIL_GUIDER_CHOICE)).substr(1);
 #undef VIGIL_GUIDER_CHOICE
-            )
-        .substr(1);
 
 struct GuiderInfo {
     std::string_view name;

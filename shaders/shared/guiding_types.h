@@ -202,15 +202,12 @@ struct GuidingSettings {
     uint split;        // a leaf with more samples is split
     uint collapse;     // an inner node of eight leaves that have fewer together is collapsed
     uint bucket;       // most lights in a bucket
-    uint small_bucket; // the same where buckets would get fewer than in the frame before
-                       // (hysteresis)
-    uint merge_faces;  // bit i: caches take over the lights of their neighbours beyond face i
-                       // (LEAF_NEIGHBOURS)
+    uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
+    uint merge_faces;  // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
     uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;   // of a directional quadtree in a frame, at most
     float margin;      // how far a migration must pay off
-    uint memory_rays;  // a guider follows about so many of a leaf's last rays; 0: those of the
-                       // last frame
+    uint memory_rays;  // a guider follows about so many of a leaf's last rays; 0: those of the last frame
     float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
     uint memory_words;  // of the guider, per leaf; 0 without memory
 };

@@ -34,14 +34,10 @@ enum class Technique {
 #undef VIGIL_TECHNIQUE_ENUMERATOR
 };
 
-/// The names with bars between them: "sll|uniform|...".
-inline constexpr std::string_view technique_choices =
-    std::string_view(
 #define VIGIL_TECHNIQUE_CHOICE(name, help) "|" #name
-        VIGIL_TECHNIQUE_TABLE(VIGIL_TECHNIQUE_CHOICE)
+/// The names with bars between them: "sll|uniform|...".
+inline constexpr std::string_view technique_choices = std::string_view(VIGIL_TECHNIQUE_TABLE(VIGIL_TECHNIQUE_CHOICE)).substr(1);
 #undef VIGIL_TECHNIQUE_CHOICE
-            )
-        .substr(1);
 
 struct TechniqueInfo {
     std::string_view name;

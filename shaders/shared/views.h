@@ -36,14 +36,10 @@ VIGIL_VIEW_TABLE(VIGIL_VIEW_CONSTANT)
 #undef VIGIL_VIEW_CONSTANT
 } // namespace shader
 
-/// The names with bars between them: "none|octree|...".
-inline constexpr std::string_view view_choices =
-    std::string_view(
 #define VIGIL_VIEW_CHOICE(constant, number, name, help) "|" #name
-        VIGIL_VIEW_TABLE(VIGIL_VIEW_CHOICE)
+/// The names with bars between them: "none|octree|...".
+inline constexpr std::string_view view_choices = std::string_view(VIGIL_VIEW_TABLE(VIGIL_VIEW_CHOICE)).substr(1);
 #undef VIGIL_VIEW_CHOICE
-            )
-        .substr(1);
 
 struct ViewInfo {
     int number;
