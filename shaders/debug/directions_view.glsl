@@ -11,9 +11,7 @@
 #include "shared/view_colors.h"
 
 /// A density per steradian on its scale.
-vec3 density_color(float density) {
-    return density > 0.0 ? color_map(density_on_scale(density)) : VIEW_EMPTY;
-}
+vec3 density_color(float density) { return density > 0.0 ? color_map(density_on_scale(density)) : VIEW_EMPTY; }
 
 /// Density of the guider's draws.
 vec3 guide_color(Surface surface, DirectionInset inset) {
@@ -55,7 +53,8 @@ vec3 directions_color(uvec2 pixel, vec3 picture, Surface at_crosshair, bool foun
     if (inset.kind != INSET_NONE) return found ? inset_color(at_crosshair, inset) : VIEW_OFF;
     if (on_crosshair(pixel)) return VIEW_HORIZON;
     if (guided == 0u || !found) return picture;
-    const bool same_leaf = hit && find_leaves(here.position, previous_position(here)).cache == find_leaves(at_crosshair.position, previous_position(at_crosshair)).cache;
+    const bool same_leaf = hit && find_leaves(here.position, previous_position(here)).cache ==
+                                      find_leaves(at_crosshair.position, previous_position(at_crosshair)).cache;
     return same_leaf ? picture : VIEW_OTHER_LEAF * picture;
 }
 

@@ -35,9 +35,13 @@ bool on_cell_border(OctreeCell cell, vec3 position, vec3 normal, float width) {
     return any(bvec3(near.x && slope.x > 0.1, near.y && slope.y > 0.1, near.z && slope.z > 0.1));
 }
 
-uint sample_count(Surface surface) { return leaves[leaf_word(LEAF_COUNT, find_leaves(surface.position, previous_position(surface)).samples)]; }
+uint sample_count(Surface surface) {
+    return leaves[leaf_word(LEAF_COUNT, find_leaves(surface.position, previous_position(surface)).samples)];
+}
 
-uint bucket_count(Surface surface) { return leaves[leaf_word(LEAF_VLC, find_leaves(surface.position, previous_position(surface)).cache) + 1u]; }
+uint bucket_count(Surface surface) {
+    return leaves[leaf_word(LEAF_VLC, find_leaves(surface.position, previous_position(surface)).cache) + 1u];
+}
 
 uint cached_light_count(Surface surface) {
     return leaves[leaf_word(LEAF_CACHED, find_leaves(surface.position, previous_position(surface)).cache)];

@@ -12,16 +12,14 @@
 layout(local_size_x_id = CONSTANT_GROUP_SIZE) in;
 const uint LANES = gl_WorkGroupSize.x;
 
-shared uint table[VLC_TABLE_SIZE];          // keys, bucket after bucket of settings.bucket slots; NONE: free
+shared uint table[VLC_TABLE_SIZE];         // keys, bucket after bucket of settings.bucket slots; NONE: free
 shared uint sizes[VLC_TABLE_MOST_BUCKETS]; // ids per bucket
 
 /// Largest power of two that is at most `value`, which is at least 1.
 uint power_of_two_below(uint value) { return 1u << uint(findMSB(value)); }
 
 /// Number of buckets that a table can have.
-uint table_most_buckets() {
-    return power_of_two_below(min(VLC_TABLE_MOST_BUCKETS, VLC_TABLE_SIZE / settings.bucket));
-}
+uint table_most_buckets() { return power_of_two_below(min(VLC_TABLE_MOST_BUCKETS, VLC_TABLE_SIZE / settings.bucket)); }
 
 /// Number of buckets for a set made from `count` ids: half as much room again as they need, at least, as buckets do not
 /// fill evenly.

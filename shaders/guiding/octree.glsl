@@ -8,22 +8,16 @@
 #include "shared/guiding_types.h"
 #include "shared/octree.h"
 
-layout(set = SET_GUIDING, binding = BINDING_GUIDING_HEADER, scalar) restrict readonly buffer GuidingHeaderBlock {
-    GuidingHeader guiding;
-};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_HEADER, scalar) restrict readonly buffer GuidingHeaderBlock { GuidingHeader guiding; };
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_NODES, scalar) restrict readonly buffer OctreeBlock {
     uint octree_node_count;
     uint octree_nodes[];
 };
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_LEAVES, scalar) restrict buffer LeafBlock { uint leaves[]; };
-layout(set = SET_GUIDING, binding = BINDING_GUIDING_SAMPLES, scalar) restrict writeonly buffer LightSampleBlock {
-    uint light_samples[];
-};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_SAMPLES, scalar) restrict writeonly buffer LightSampleBlock { uint light_samples[]; };
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_VLC, scalar) restrict readonly buffer VlcBlock { uint vlc_lights[]; };
 
-layout(set = SET_GUIDING, binding = BINDING_GUIDING_RAYS, scalar) restrict writeonly buffer RaySampleBlock {
-    uint ray_samples[];
-};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_RAYS, scalar) restrict writeonly buffer RaySampleBlock { uint ray_samples[]; };
 
 /// The leaves of a surface: the one it was in a frame ago, where its cache is, and the one it is in now, where
 /// its samples go. They are the same for what does not move.

@@ -39,8 +39,8 @@ void remember_draws(uint leaf) {
         sums[2] += newly_found[i];
     }
     const uint memory = leaf_word(LEAF_EXPLORE, leaf);
-    const uvec2 words = explore_pack(explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])),
-                                                    sums[0], sums[1], sums[2], drawn, seen));
+    const uvec2 words = explore_pack(
+        explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])), sums[0], sums[1], sums[2], drawn, seen));
     old_leaves[memory] = words.x;
     old_leaves[memory + 1u] = words.y;
 }

@@ -101,8 +101,7 @@ void main() {
     table_clear(table_buckets);
     barrier();
     for (uint list = 0u; list < LISTS; ++list)
-        for (uint i = lane; i < list_length[list]; i += LANES)
-            table_insert(table_buckets, light_samples[list_first[list] + i], 0u);
+        for (uint i = lane; i < list_length[list]; i += LANES) table_insert(table_buckets, light_samples[list_first[list] + i], 0u);
     if (keep && lights_before > 0u)
         insert_old_cache(table_buckets, first_before, buckets_before,
                          ageing((old_leaves[leaf_word(LEAF_SOURCE, leaf)] & SOURCE_SPLIT) != 0u));

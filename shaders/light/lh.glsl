@@ -29,14 +29,13 @@ NodeView view_node(Surface surface, uint number, uint groups) {
     NodeView view;
     view.inner = node.inner;
     view.first_inner = word2.w;
-    const vec4 importance0 = light_group_importance(node, light_nodes[at + 1u], light_nodes[at + 2u], word2,
-                                                    surface.origin, surface.normal);
+    const vec4 importance0 =
+        light_group_importance(node, light_nodes[at + 1u], light_nodes[at + 2u], word2, surface.origin, surface.normal);
     vec4 importance1 = vec4(0.0);
     if (groups > 1u) {
         const uvec4 word5 = light_nodes[at + 6u];
         if (word5.z != 0u) // it has children
-            importance1 = light_group_importance(node, light_nodes[at + 4u], light_nodes[at + 5u], word5, surface.origin,
-                                                 surface.normal);
+            importance1 = light_group_importance(node, light_nodes[at + 4u], light_nodes[at + 5u], word5, surface.origin, surface.normal);
     }
     view.weights = light_node_weights(importance0, importance1);
     return view;

@@ -40,8 +40,7 @@ LightList find_light_list(Surface surface) {
 }
 
 uint light_of_list(LightList list, uint index) {
-    return index < list.static_count ? static_ids[list.static_first + index]
-                                     : moving_ids[list.moving_first + (index - list.static_count)];
+    return index < list.static_count ? static_ids[list.static_first + index] : moving_ids[list.moving_first + (index - list.static_count)];
 }
 
 /// Index of a light in a list, found by bisection; NONE if it is not there.

@@ -8,17 +8,14 @@
 #include "shared/ltc.h"
 
 // LTC_TABLE_SIZE^2 entries, refresh/vkpt/light/ltc_table.h.
-layout(set = SET_SCENE, binding = BINDING_LTC, scalar) restrict readonly buffer LtcBlock {
-    LtcEntry ltc_entries[];
-};
+layout(set = SET_SCENE, binding = BINDING_LTC, scalar) restrict readonly buffer LtcBlock { LtcEntry ltc_entries[]; };
 
 /// The table at a GGX width and the cosine of the view, interpolated.
 LtcEntry ltc_lookup(float alpha, float view_cosine) {
     const LtcCell cell = ltc_cell(alpha, view_cosine);
     const uint first = cell.row * LTC_TABLE_SIZE + cell.column;
     const uint below = first + LTC_TABLE_SIZE;
-    return ltc_mix(ltc_entries[first], ltc_entries[first + 1u], ltc_entries[below],
-                   ltc_entries[below + 1u], cell.weight);
+    return ltc_mix(ltc_entries[first], ltc_entries[first + 1u], ltc_entries[below], ltc_entries[below + 1u], cell.weight);
 }
 
 /// Prepares a point with a diffuse and a GGX lobe for `ltc_importance`; directions are unit vectors.

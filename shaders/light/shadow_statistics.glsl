@@ -19,8 +19,6 @@ layout(set = SET_SHADOW_STATISTICS, binding = 0, scalar) restrict buffer ShadowS
 /// Share of its weight that the slot's light keeps, at least 1 - SHADOW_MOST_LOSS.
 float unshadowed_share(uint slot) { return 1.0 - uintBitsToFloat(shadow_words[shadow_loss_word(slot)]); }
 
-void count_shadow_ray(uint slot, bool shadowed) {
-    atomicAdd(shadow_words[shadow_count_word(slot, shadow_slots, shadowed)], SHADOW_RAY);
-}
+void count_shadow_ray(uint slot, bool shadowed) { atomicAdd(shadow_words[shadow_count_word(slot, shadow_slots, shadowed)], SHADOW_RAY); }
 
 #endif

@@ -32,9 +32,7 @@ struct LightChoice {
 LightChoice weighted_choice(uint light, float weight) { return LightChoice(light, weight, false, uvec2(0u)); }
 
 /// A draw whose probability is known, in (0, 1]; any for NONE.
-LightChoice light_choice(uint light, float probability) {
-    return weighted_choice(light, light == NONE ? 0.0 : 1.0 / probability);
-}
+LightChoice light_choice(uint light, float probability) { return weighted_choice(light, light == NONE ? 0.0 : 1.0 / probability); }
 
 /// No draw.
 LightChoice no_light() { return weighted_choice(NONE, 0.0); }

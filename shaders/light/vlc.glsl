@@ -30,9 +30,7 @@ LightCache find_light_cache(uint leaf) {
     return LightCache(leaves[cache], leaves[cache + 1u]);
 }
 
-uint bucket_of_light(LightCache cache, uint light) {
-    return cache.first + (light & (cache.buckets - 1u)) * bucket_size();
-}
+uint bucket_of_light(LightCache cache, uint light) { return cache.first + (light & (cache.buckets - 1u)) * bucket_size(); }
 
 /// Whether a light is in the cache: bisection, as the lights of a bucket lie in the order of their reversed ids.
 bool is_cached(LightCache cache, uint light) {
@@ -141,8 +139,7 @@ Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
 
 /// Probability of a light in the mixture, after the one walk that can meet it.
 float mixture_probability(LightSearch search, bool cached, CandidateWalk walk) {
-    const float walks = cached ? search.shares.cache / float(search.cache.buckets)
-                               : search.shares.list / float(search.list_stride);
+    const float walks = cached ? search.shares.cache / float(search.cache.buckets) : search.shares.list / float(search.list_stride);
     return search.shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 

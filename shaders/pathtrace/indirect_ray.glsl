@@ -39,10 +39,8 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
     const Guide guide = guide_prepare(load_guide(found.cache));
     const float brdf_part = frame.settings.pt_cdq_brdf;
     vec3 direction;
-    if (random_next(random) < brdf_part)
-        direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
-    else
-        direction = guide_sample(guide, u);
+    if (random_next(random) < brdf_part) direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
+    else direction = guide_sample(guide, u);
     seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
     seen.pdf = guide_mixture_pdf(guide_pdf(guide, direction), seen.pdf, brdf_part);
     guided.leaf = found.samples;
@@ -65,8 +63,8 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
 
 /// Where a ray ended.
 struct RayEnd {
-    vec3 brought;    // radiance along the ray, towards its origin: without what further rays find
-    bool goes_on;    // a further ray may be sent from `surface`, which is not set otherwise
+    vec3 brought; // radiance along the ray, towards its origin: without what further rays find
+    bool goes_on; // a further ray may be sent from `surface`, which is not set otherwise
     Surface surface;
 };
 

@@ -35,11 +35,9 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
     for (int i = 0; i < points; ++i) {
         // Steps of the R2 sequence (Roberts 2018).
         const vec2 place = fract(u + float(i) * vec2(0.7548776662, 0.5698402910));
-        const LightSample seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view,
-                                                     surface.brdf, share, place);
+        const LightSample seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view, surface.brdf, share, place);
         if (!(seen.geometry > 0.0)) continue;
-        const vec3 value =
-            finite_or_zero(brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry);
+        const vec3 value = finite_or_zero(brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry);
         reservoir_add(reservoir, uint(i), max(value.x, max(value.y, value.z)));
         if (reservoir.chosen == uint(i)) choice = PointChoice(seen.point, value);
     }

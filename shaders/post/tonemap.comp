@@ -17,9 +17,7 @@ vec3 reinhard(vec3 color) {
     return color * ((1.0 + bright / (white * white)) / (1.0 + bright));
 }
 
-vec3 filmic(vec3 color) {
-    return (color * (2.51 * color + 0.03)) / (color * (2.43 * color + 0.59) + 0.14);
-}
+vec3 filmic(vec3 color) { return (color * (2.51 * color + 0.03)) / (color * (2.43 * color + 0.59) + 0.14); }
 
 /// Exposed and toned, sRGB.
 vec3 picture_color(vec3 value) {

@@ -12,20 +12,16 @@
 layout(constant_id = CONSTANT_SKY) const bool HAS_SKY = true;
 layout(constant_id = CONSTANT_SUN) const bool HAS_SUN = true;
 layout(constant_id = CONSTANT_GLOSS) const bool HAS_GLOSS = true;
-layout(constant_id = CONSTANT_LIQUID) const bool HAS_LIQUID = true; // warping or flowing textures
+layout(constant_id = CONSTANT_LIQUID) const bool HAS_LIQUID = true;       // warping or flowing textures
 layout(constant_id = CONSTANT_ANIMATION) const bool HAS_ANIMATION = true; // animated textures
 layout(constant_id = CONSTANT_LIGHTS) const bool HAS_LIGHTS = true;
 layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u; // of what the guider keeps: guiding/guider.glsl
 
 layout(set = SET_SCENE, binding = BINDING_FRAME, scalar) uniform FrameBlock { FrameParams frame; };
 
-layout(set = SET_SCENE, binding = BINDING_SURFACES, scalar) restrict buffer PrimaryHitBlock {
-    PrimaryHit primary_hits[];
-};
+layout(set = SET_SCENE, binding = BINDING_SURFACES, scalar) restrict buffer PrimaryHitBlock { PrimaryHit primary_hits[]; };
 // Sum over this frame's paths; divided by pt_spp when it is accumulated.
-layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer RadianceBlock {
-    vec3 radiance[];
-};
+layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer RadianceBlock { vec3 radiance[]; };
 
 layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
 

@@ -5,24 +5,12 @@
 
 #include "scene/frame.glsl"
 
-layout(set = SET_SCENE, binding = BINDING_INSTANCES, scalar) restrict readonly buffer InstanceBlock {
-    Instance instances[];
-};
-layout(set = SET_SCENE, binding = BINDING_PRIMITIVES, scalar) restrict readonly buffer PrimitiveBlock {
-    Primitive primitives[];
-};
-layout(set = SET_SCENE, binding = BINDING_MATERIALS, scalar) restrict readonly buffer MaterialBlock {
-    Material materials[];
-};
-layout(set = SET_SCENE, binding = BINDING_TEXTURES, scalar) restrict readonly buffer TextureBlock {
-    Texture textures[];
-};
-layout(set = SET_SCENE, binding = BINDING_TEXELS, scalar) restrict readonly buffer TexelBlock {
-    uint texels[];
-};
-layout(set = SET_SCENE, binding = BINDING_LIGHTS, scalar) restrict readonly buffer LightBlock {
-    Light lights[];
-};
+layout(set = SET_SCENE, binding = BINDING_INSTANCES, scalar) restrict readonly buffer InstanceBlock { Instance instances[]; };
+layout(set = SET_SCENE, binding = BINDING_PRIMITIVES, scalar) restrict readonly buffer PrimitiveBlock { Primitive primitives[]; };
+layout(set = SET_SCENE, binding = BINDING_MATERIALS, scalar) restrict readonly buffer MaterialBlock { Material materials[]; };
+layout(set = SET_SCENE, binding = BINDING_TEXTURES, scalar) restrict readonly buffer TextureBlock { Texture textures[]; };
+layout(set = SET_SCENE, binding = BINDING_TEXELS, scalar) restrict readonly buffer TexelBlock { uint texels[]; };
+layout(set = SET_SCENE, binding = BINDING_LIGHTS, scalar) restrict readonly buffer LightBlock { Light lights[]; };
 
 /// RGB9E5 to linear RGB.
 vec3 decode_texel(uint texel) {
@@ -58,8 +46,7 @@ vec3 sample_texture(Texture header, vec2 uv, float footprint) {
     const uint level = uint(clamp(int(round(log2(max(texels_wide, 1.0)))), 0, int(header.mip_count) - 1));
     const ivec2 size = max(ivec2(header.width, header.height) >> int(level), ivec2(1));
     const vec2 place = fract(uv) * vec2(size);
-    if (frame.settings.pt_texture_filter == 0)
-        return fetch_texel(header, level, wrap_texel(ivec2(place), size));
+    if (frame.settings.pt_texture_filter == 0) return fetch_texel(header, level, wrap_texel(ivec2(place), size));
     const vec2 corner = floor(place - 0.5);
     const vec2 weight = place - 0.5 - corner;
     const ivec2 low = wrap_texel(ivec2(corner), size);

@@ -9,15 +9,13 @@
 #include "shared/sampling.h"
 #include "trace/trace.glsl"
 
-layout(set = SET_SCENE, binding = BINDING_BSP, scalar) restrict readonly buffer BspBlock {
-    BspTreeNode bsp_nodes[];
-};
+layout(set = SET_SCENE, binding = BINDING_BSP, scalar) restrict readonly buffer BspBlock { BspTreeNode bsp_nodes[]; };
 
 struct Surface {
     vec3 position;
-    vec3 origin;    // just above the position: where rays start, and from where lights are looked at
-    vec3 normal;    // unit, of the side that was hit
-    vec3 view;      // unit, to where the ray came from
+    vec3 origin; // just above the position: where rays start, and from where lights are looked at
+    vec3 normal; // unit, of the side that was hit
+    vec3 view;   // unit, to where the ray came from
     Brdf brdf;
     uint primitive;
     uint instance;
@@ -116,8 +114,7 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     const vec3 normal = triangle_normal(triangle, hit.instance);
     const vec3 texel = hit_texel(ray, hit, triangle, normal, primitive, material, spread);
     if (HAS_LIGHTS && primitive.light != NONE)
-        vertex.emission = light_emission(primitive, triangle, hit, material, texel,
-                                         primary && frame.settings.pt_emissive_texture != 0);
+        vertex.emission = light_emission(primitive, triangle, hit, material, texel, primary && frame.settings.pt_emissive_texture != 0);
     if (HAS_INSTANCES && primary && (material.flags & MATERIAL_SHINES) != 0u) vertex.emission = SHINE_RADIANCE * texel;
     if (HAS_EFFECTS && primary) vertex.emission += instances[hit.instance].glow * texel;
     vertex.lit = true;

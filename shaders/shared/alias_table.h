@@ -38,9 +38,7 @@ SHADER_FN AliasSlot alias_slot(uvec2 bits, uint count) {
 
 /// The index drawn: `entry` is the table's entry at slot.column. Its probability is the `pdf` of
 /// the entry at the returned index.
-SHADER_FN uint alias_choose(AliasEntry entry, AliasSlot slot) {
-    return slot.fraction < entry.threshold ? slot.column : entry.alias;
-}
+SHADER_FN uint alias_choose(AliasEntry entry, AliasSlot slot) { return slot.fraction < entry.threshold ? slot.column : entry.alias; }
 
 SHADER_END
 #endif

@@ -9,25 +9,25 @@
 #define SET_TECHNIQUE 1
 #define SET_GUIDING 2
 
-#define BINDING_FRAME 0          // uniform FrameParams: shared/frame_params.h, scene/frame.glsl
-#define BINDING_BVH_NODES 1      // texel buffer, bottom-level nodes of all models: trace/trace_bvh.glsl
-#define BINDING_BVH_TRIANGLES 2  // BvhTriangle[]: trace/trace_bvh.glsl, trace/trace_query.glsl
-#define BINDING_TOP_NODES 3      // top-level nodes of this frame: trace/trace_bvh.glsl
-#define BINDING_INSTANCES 4      // Instance[]: scene/scene.glsl
-#define BINDING_PRIMITIVES 5     // Primitive[]: scene/scene.glsl
-#define BINDING_MATERIALS 6      // Material[]: scene/scene.glsl
-#define BINDING_TEXTURES 7       // Texture[]: scene/scene.glsl
-#define BINDING_TEXELS 8         // uint[], RGB9E5: scene/scene.glsl
-#define BINDING_LIGHTS 9         // Light[]: scene/scene.glsl
-#define BINDING_BSP 10           // BspTreeNode[]: scene/surface.glsl
-#define BINDING_LTC 11           // LTC tables: light/ltc.glsl
-#define BINDING_SURFACES 12      // PrimaryHit[]: scene/frame.glsl
-#define BINDING_RADIANCE 13      // this frame's radiance: scene/frame.glsl
-#define BINDING_ACCUMULATION 14  // running mean: post/picture.glsl
-#define BINDING_EXPOSURE 15      // automatic exposure: post/picture.glsl
-#define BINDING_COUNTERS 16      // FrameCounters, read back by the host: scene/frame.glsl
-#define BINDING_DISPLAY 17       // finished picture, RGBA8: post/picture.glsl
-#define BINDING_DIRECTION_MAP 18 // radiance that arrives at the crosshair: debug/direction_map.glsl
+#define BINDING_FRAME 0                   // uniform FrameParams: shared/frame_params.h, scene/frame.glsl
+#define BINDING_BVH_NODES 1               // texel buffer, bottom-level nodes of all models: trace/trace_bvh.glsl
+#define BINDING_BVH_TRIANGLES 2           // BvhTriangle[]: trace/trace_bvh.glsl, trace/trace_query.glsl
+#define BINDING_TOP_NODES 3               // top-level nodes of this frame: trace/trace_bvh.glsl
+#define BINDING_INSTANCES 4               // Instance[]: scene/scene.glsl
+#define BINDING_PRIMITIVES 5              // Primitive[]: scene/scene.glsl
+#define BINDING_MATERIALS 6               // Material[]: scene/scene.glsl
+#define BINDING_TEXTURES 7                // Texture[]: scene/scene.glsl
+#define BINDING_TEXELS 8                  // uint[], RGB9E5: scene/scene.glsl
+#define BINDING_LIGHTS 9                  // Light[]: scene/scene.glsl
+#define BINDING_BSP 10                    // BspTreeNode[]: scene/surface.glsl
+#define BINDING_LTC 11                    // LTC tables: light/ltc.glsl
+#define BINDING_SURFACES 12               // PrimaryHit[]: scene/frame.glsl
+#define BINDING_RADIANCE 13               // this frame's radiance: scene/frame.glsl
+#define BINDING_ACCUMULATION 14           // running mean: post/picture.glsl
+#define BINDING_EXPOSURE 15               // automatic exposure: post/picture.glsl
+#define BINDING_COUNTERS 16               // FrameCounters, read back by the host: scene/frame.glsl
+#define BINDING_DISPLAY 17                // finished picture, RGBA8: post/picture.glsl
+#define BINDING_DIRECTION_MAP 18          // radiance that arrives at the crosshair: debug/direction_map.glsl
 #define BINDING_ACCELERATION_STRUCTURE 19 // only with ray query: trace/trace_query.glsl
 #define SCENE_BINDING_COUNT 20
 

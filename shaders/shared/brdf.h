@@ -28,8 +28,7 @@ struct BrdfValue {
 
 struct BrdfSample {
     vec3 direction; // unit, towards the light
-    BrdfValue
-        seen; // value and pdf of it; pdf 0: the draw fell below the horizon and counts as black
+    BrdfValue seen; // value and pdf of it; pdf 0: the draw fell below the horizon and counts as black
 };
 
 /// Views below or along the surface (interpolated normals, rounding) count as seen from this
@@ -37,9 +36,7 @@ struct BrdfSample {
 SHADER_CONST float BRDF_MIN_COSINE = 1e-3f;
 
 /// Luminance of linear Rec. 709 colours.
-SHADER_FN float luminance(vec3 color) {
-    return dot(color, vec3(0.2126f, 0.7152f, 0.0722f));
-}
+SHADER_FN float luminance(vec3 color) { return dot(color, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 SHADER_FN Brdf brdf_lambert(vec3 albedo) {
     Brdf brdf;
@@ -67,16 +64,12 @@ SHADER_FN vec3 brdf_view(vec3 normal, vec3 view) {
 
 /// Cosine of a direction for the formulas below: rounding may push a dot product of unit vectors
 /// past 1.
-SHADER_FN float brdf_cosine(vec3 normal, vec3 direction) {
-    return min(dot(normal, direction), 1.0f);
-}
+SHADER_FN float brdf_cosine(vec3 normal, vec3 direction) { return min(dot(normal, direction), 1.0f); }
 
 /// How strongly the coat's Fresnel term dims the base at grazing angles: fully under a mirror,
 /// hardly under a rough coat, whose own reflection does not grow there. Our fit to the least value
 /// that keeps the sum of both lobes at or below 1.
-SHADER_FN float coat_shading(float alpha) {
-    return 1.0f / (1.0f + 12.0f * alpha * alpha);
-}
+SHADER_FN float coat_shading(float alpha) { return 1.0f / (1.0f + 12.0f * alpha * alpha); }
 
 /// Factor on the base's Lambertian lobe under the coat, but for the same term of the light's
 /// direction, 1 - s (1 - n.l)^5: c (1 - f0) (1 - s (1 - n.v)^5), s = coat_shading. With c = 1 / (1
@@ -105,9 +98,7 @@ SHADER_FN float ggx_distribution(float alpha2, vec3 normal, vec3 h) {
 }
 
 /// Smith's masking, as sqrt(alpha^2 + (1 - alpha^2) cos^2).
-SHADER_FN float smith_root(float alpha2, float cosine) {
-    return sqrt(alpha2 + (1.0f - alpha2) * cosine * cosine);
-}
+SHADER_FN float smith_root(float alpha2, float cosine) { return sqrt(alpha2 + (1.0f - alpha2) * cosine * cosine); }
 
 /// BRDF * cosine and density for unit vectors; `view` and `light` point away from the surface.
 /// Reciprocal but for the cosine. Never NaN, infinite or negative, whatever the (unit) directions.
@@ -134,8 +125,7 @@ SHADER_FN BrdfValue brdf_evaluate(Brdf brdf, vec3 normal, vec3 view, vec3 light)
         float specular = 0.5f * fresnel * distribution * nl / (nl * root_v + nv * root_l);
         float visible_normals = 0.5f * distribution / (nv + root_v);
         float shading = coat_shading(brdf.alpha);
-        float under =
-            diffuse_under_coat(brdf.f0, shading, nv) * (1.0f - shading * schlick_weight(nl));
+        float under = diffuse_under_coat(brdf.f0, shading, nv) * (1.0f - shading * schlick_weight(nl));
         seen.value = seen.value * under + vec3(specular);
         seen.pdf = mix(seen.pdf, visible_normals, specular_probability(brdf, nv));
     }
@@ -143,9 +133,7 @@ SHADER_FN BrdfValue brdf_evaluate(Brdf brdf, vec3 normal, vec3 view, vec3 light)
 }
 
 /// Density per steradian with which `brdf_sample` draws `light`.
-SHADER_FN float brdf_pdf(Brdf brdf, vec3 normal, vec3 view, vec3 light) {
-    return brdf_evaluate(brdf, normal, view, light).pdf;
-}
+SHADER_FN float brdf_pdf(Brdf brdf, vec3 normal, vec3 view, vec3 light) { return brdf_evaluate(brdf, normal, view, light).pdf; }
 
 /// Reflection of a local view (z = normal) off a GGX normal drawn from those the view sees. Source:
 /// Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023.
@@ -167,8 +155,7 @@ SHADER_FN float visible_reflection_pdf(Brdf brdf, vec3 normal, vec3 view, vec3 l
     vec3 v = brdf_view(normal, view);
     float nv = brdf_cosine(normal, v);
     float alpha2 = brdf.alpha * brdf.alpha;
-    return 0.5f * ggx_distribution(alpha2, normal, normalize(v + light)) /
-           (nv + smith_root(alpha2, nv));
+    return 0.5f * ggx_distribution(alpha2, normal, normalize(v + light)) / (nv + smith_root(alpha2, nv));
 }
 
 /// Draws a light direction in proportion to the reflected light, as a mixture of the cosine lobe

@@ -71,17 +71,14 @@ SHADER_FN float bvh_reciprocal(float d) {
     return 1.0f / d;
 }
 
-SHADER_FN vec3 bvh_reciprocal3(vec3 d) {
-    return vec3(bvh_reciprocal(d.x), bvh_reciprocal(d.y), bvh_reciprocal(d.z));
-}
+SHADER_FN vec3 bvh_reciprocal3(vec3 d) { return vec3(bvh_reciprocal(d.x), bvh_reciprocal(d.y), bvh_reciprocal(d.z)); }
 
 /// Ize's (2013) margin: makes the slab test conservative under rounding of its three operations.
 SHADER_CONST float BVH_BOX_MARGIN = 1.0000005f;
 
 /// Entry distance into the box, or BVH_MISS when the ray misses it within (t_min, t_max). `inverse`
 /// as from bvh_reciprocal3. Inverted boxes are missed.
-SHADER_FN float bvh_box_entry(vec3 lower, vec3 upper, vec3 origin, vec3 inverse, float t_min,
-                              float t_max) {
+SHADER_FN float bvh_box_entry(vec3 lower, vec3 upper, vec3 origin, vec3 inverse, float t_min, float t_max) {
     vec3 t_lower = (lower - origin) * inverse;
     vec3 t_upper = (upper - origin) * inverse;
     vec3 near3 = min(t_lower, t_upper);
@@ -101,8 +98,8 @@ SHADER_CONST uint BVH_NO_CHILD = 0xffffffffu;
 /// negative ones count as less than t_min >= 0 in any order (float minima that get NaN right cost
 /// three times as much on a CPU). 8 steps of the last place make up for rounding relative to t;
 /// rounding relative to the box is in the builder's padding.
-SHADER_FN uvec4 bvh_sorted_children(uvec4 x, uvec4 y, uvec4 z, uvec4 meta, vec3 origin,
-                                    vec3 inverse, float t_min, float t_max, bool by_distance) {
+SHADER_FN uvec4 bvh_sorted_children(uvec4 x, uvec4 y, uvec4 z, uvec4 meta, vec3 origin, vec3 inverse, float t_min, float t_max,
+                                    bool by_distance) {
     vec3 grid_origin = uintBitsToFloat(uvec3(meta.x, meta.y, meta.z));
     vec3 step = uintBitsToFloat(meta.w & BVH_STEP_MASK) * inverse;
     vec3 start = (grid_origin - origin) * inverse;
@@ -112,10 +109,8 @@ SHADER_FN uvec4 bvh_sorted_children(uvec4 x, uvec4 y, uvec4 z, uvec4 meta, vec3 
     ivec4 y1 = floatBitsToInt(vec4(y >> 16u) * step.y + start.y);
     ivec4 z0 = floatBitsToInt(vec4(z & 0xffffu) * step.z + start.z);
     ivec4 z1 = floatBitsToInt(vec4(z >> 16u) * step.z + start.z);
-    ivec4 entry =
-        max(max(min(x0, x1), min(y0, y1)), max(min(z0, z1), ivec4(floatBitsToInt(t_min))));
-    ivec4 leave =
-        min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), ivec4(floatBitsToInt(t_max)))) + 8;
+    ivec4 entry = max(max(min(x0, x1), min(y0, y1)), max(min(z0, z1), ivec4(floatBitsToInt(t_min))));
+    ivec4 leave = min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), ivec4(floatBitsToInt(t_max)))) + 8;
     uvec4 key = uvec4(0u, 1u, 2u, 3u);
     if (by_distance) key |= uvec4(entry) & 0xfffffffcu;
     key = mix(uvec4(BVH_NO_CHILD), key, lessThanEqual(entry, leave));
@@ -126,8 +121,7 @@ SHADER_FN uvec4 bvh_sorted_children(uvec4 x, uvec4 y, uvec4 z, uvec4 meta, vec3 
     uint high_b = max(key.z, key.w);
     uint middle_a = max(low_a, low_b);
     uint middle_b = min(high_a, high_b);
-    return uvec4(min(low_a, low_b), min(middle_a, middle_b), max(middle_a, middle_b),
-                 max(high_a, high_b));
+    return uvec4(min(low_a, low_b), min(middle_a, middle_b), max(middle_a, middle_b), max(high_a, high_b));
 }
 
 /// Barycentrics may leave [0, 1] by this much, so that rays along a common edge do not slip
@@ -137,9 +131,8 @@ SHADER_CONST float BVH_EDGE_MARGIN = 1e-5f;
 /// Ray against triangle. On a hit t lies in (t_min, t_max), u and v are the weights of v1 and v2,
 /// and `front` tells that the ray meets the side cross(e1, e2) points to. Zero-area triangles are
 /// never hit.
-SHADER_FN bool bvh_triangle_hit(vec3 v0, vec3 e1, vec3 e2, vec3 origin, vec3 direction, float t_min,
-                                float t_max, OUT(float) t, OUT(float) u, OUT(float) v,
-                                OUT(bool) front) {
+SHADER_FN bool bvh_triangle_hit(vec3 v0, vec3 e1, vec3 e2, vec3 origin, vec3 direction, float t_min, float t_max, OUT(float) t,
+                                OUT(float) u, OUT(float) v, OUT(bool) front) {
     vec3 p = cross(direction, e2);
     float determinant = dot(e1, p);
     float inverse = 1.0f / determinant;
@@ -149,8 +142,8 @@ SHADER_FN bool bvh_triangle_hit(vec3 v0, vec3 e1, vec3 e2, vec3 origin, vec3 dir
     v = dot(direction, q) * inverse;
     t = dot(e2, q) * inverse;
     front = determinant > 0.0f;
-    return determinant != 0.0f && u >= -BVH_EDGE_MARGIN && v >= -BVH_EDGE_MARGIN &&
-           u + v <= 1.0f + BVH_EDGE_MARGIN && t > t_min && t < t_max;
+    return determinant != 0.0f && u >= -BVH_EDGE_MARGIN && v >= -BVH_EDGE_MARGIN && u + v <= 1.0f + BVH_EDGE_MARGIN && t > t_min &&
+           t < t_max;
 }
 
 /// The two triangles of a leaf record met by a ray.
@@ -163,8 +156,7 @@ struct BvhPairHit {
 
 /// Ray against both triangles of a leaf record, as bvh_triangle_hit. Their common edge saves half
 /// of the second.
-SHADER_FN BvhPairHit bvh_pair_hit(uvec4 a, uvec4 b, uvec4 c, vec3 origin, vec3 direction,
-                                  float t_min, float t_max) {
+SHADER_FN BvhPairHit bvh_pair_hit(uvec4 a, uvec4 b, uvec4 c, vec3 origin, vec3 direction, float t_min, float t_max) {
     vec3 v0 = uintBitsToFloat(uvec3(a.x, a.y, a.z));
     vec3 e1 = uintBitsToFloat(uvec3(b.x, b.y, b.z)) - v0;
     vec3 e2 = uintBitsToFloat(uvec3(c.x, c.y, c.z)) - v0;
@@ -184,10 +176,10 @@ SHADER_FN BvhPairHit bvh_pair_hit(uvec4 a, uvec4 b, uvec4 c, vec3 origin, vec3 d
     float u_2 = dot(e3, r) * inverse_2;
     float v_2 = -side * inverse_2;
     float t_2 = dot(e3, q) * inverse_2;
-    bool hit_1 = determinant_1 != 0.0f && u_1 >= -BVH_EDGE_MARGIN && v_1 >= -BVH_EDGE_MARGIN &&
-                 u_1 + v_1 <= 1.0f + BVH_EDGE_MARGIN && t_1 > t_min && t_1 < t_max;
-    bool hit_2 = determinant_2 != 0.0f && u_2 >= -BVH_EDGE_MARGIN && v_2 >= -BVH_EDGE_MARGIN &&
-                 u_2 + v_2 <= 1.0f + BVH_EDGE_MARGIN && t_2 > t_min && t_2 < t_max;
+    bool hit_1 = determinant_1 != 0.0f && u_1 >= -BVH_EDGE_MARGIN && v_1 >= -BVH_EDGE_MARGIN && u_1 + v_1 <= 1.0f + BVH_EDGE_MARGIN &&
+                 t_1 > t_min && t_1 < t_max;
+    bool hit_2 = determinant_2 != 0.0f && u_2 >= -BVH_EDGE_MARGIN && v_2 >= -BVH_EDGE_MARGIN && u_2 + v_2 <= 1.0f + BVH_EDGE_MARGIN &&
+                 t_2 > t_min && t_2 < t_max;
     BvhPairHit hit;
     hit.t = vec2(hit_1 ? t_1 : BVH_MISS, hit_2 ? t_2 : BVH_MISS);
     hit.barycentrics = vec4(u_1, v_1, u_2, v_2);
@@ -200,9 +192,7 @@ SHADER_FN BvhPairHit bvh_pair_hit(uvec4 a, uvec4 b, uvec4 c, vec3 origin, vec3 d
 /// vertex; `rotation` as in the leaf flags (record vertex k is original vertex (k + rotation) % 3).
 SHADER_FN vec2 bvh_unrotate(vec2 weights, uint rotation) {
     float rest = 1.0f - weights.x - weights.y;
-    return rotation == 0u   ? weights
-           : rotation == 1u ? vec2(rest, weights.x)
-                            : vec2(weights.y, rest);
+    return rotation == 0u ? weights : rotation == 1u ? vec2(rest, weights.x) : vec2(weights.y, rest);
 }
 
 /// The coverage test's random number in 0..254, a hash of what identifies the crossing (the mixer
@@ -232,9 +222,7 @@ SHADER_FN uint bvh_faded(uint flags, uint opacity) {
 }
 
 /// Opacity of an instance with these flags, 0..255.
-SHADER_FN uint bvh_opacity(uint instance_flags) {
-    return (instance_flags >> INSTANCE_OPACITY_SHIFT) & 0xffu;
-}
+SHADER_FN uint bvh_opacity(uint instance_flags) { return (instance_flags >> INSTANCE_OPACITY_SHIFT) & 0xffu; }
 
 SHADER_END
 #endif

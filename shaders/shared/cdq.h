@@ -18,30 +18,22 @@ SHADER_CONST uint CDQ_MOST_BITS = 128u;
 
 /// Leaves of every tree. `bits` is the size of the field in all functions: 32, 64, 96 or 128. Bits
 /// from there on are 0.
-SHADER_FN uint cdq_leaf_count(uint bits) {
-    return 3u * bits / 4u + 1u;
-}
+SHADER_FN uint cdq_leaf_count(uint bits) { return 3u * bits / 4u + 1u; }
 
 /// Inner nodes of every tree, which are the ones of its field; the root is not counted.
-SHADER_FN uint cdq_inner_count(uint bits) {
-    return bits / 4u - 1u;
-}
+SHADER_FN uint cdq_inner_count(uint bits) { return bits / 4u - 1u; }
 
 /// Ones in the bits below `end`, of all four words.
 SHADER_FN uvec4 cdq_mask_below(uint end) {
     uvec4 mask;
     for (uint word = 0u; word < 4u; ++word) {
         const uint first = 32u * word;
-        mask[word] = end >= first + 32u ? 0xffffffffu
-                     : end > first      ? (1u << (end - first)) - 1u
-                                        : 0u;
+        mask[word] = end >= first + 32u ? 0xffffffffu : end > first ? (1u << (end - first)) - 1u : 0u;
     }
     return mask;
 }
 
-SHADER_FN bool cdq_is_inner(uvec4 tree, uint node) {
-    return ((tree[node >> 5u] >> (node & 31u)) & 1u) != 0u;
-}
+SHADER_FN bool cdq_is_inner(uvec4 tree, uint node) { return ((tree[node >> 5u] >> (node & 31u)) & 1u) != 0u; }
 
 /// Number of ones below bit `node`.
 SHADER_FN uint cdq_rank(uvec4 tree, uint node) {
@@ -75,24 +67,16 @@ SHADER_FN uint cdq_select(uvec4 field, uint rank) {
 }
 
 /// Child 0..3 of an inner node: bit 0 is the upper half in u, bit 1 in v.
-SHADER_FN uint cdq_child(uvec4 tree, uint node, uint child) {
-    return 4u * (cdq_rank(tree, node) + 1u) + child;
-}
+SHADER_FN uint cdq_child(uvec4 tree, uint node, uint child) { return 4u * (cdq_rank(tree, node) + 1u) + child; }
 
 /// Parent of a node that is not a child of the root (node >= 4).
-SHADER_FN uint cdq_parent(uvec4 tree, uint node) {
-    return cdq_select(tree, node / 4u - 1u);
-}
+SHADER_FN uint cdq_parent(uvec4 tree, uint node) { return cdq_select(tree, node / 4u - 1u); }
 
 /// Leaf with number `leaf` < cdq_leaf_count(bits), in the order of their bits.
-SHADER_FN uint cdq_leaf(uvec4 tree, uint bits, uint leaf) {
-    return cdq_select(~tree & cdq_mask_below(bits), leaf);
-}
+SHADER_FN uint cdq_leaf(uvec4 tree, uint bits, uint leaf) { return cdq_select(~tree & cdq_mask_below(bits), leaf); }
 
 /// The tree whose leaves' depths differ by one level at most.
-SHADER_FN uvec4 cdq_even_tree(uint bits) {
-    return cdq_mask_below(cdq_inner_count(bits));
-}
+SHADER_FN uvec4 cdq_even_tree(uint bits) { return cdq_mask_below(cdq_inner_count(bits)); }
 
 /// Bit i: node i is the first of its level. For cdq_depth.
 SHADER_FN uvec4 cdq_level_starts(uvec4 tree, uint bits) {
@@ -108,9 +92,7 @@ SHADER_FN uvec4 cdq_level_starts(uvec4 tree, uint bits) {
 }
 
 /// Level of a node; children of the root are at 1.
-SHADER_FN uint cdq_depth(uvec4 starts, uint node) {
-    return cdq_rank(starts, node + 1u);
-}
+SHADER_FN uint cdq_depth(uvec4 starts, uint node) { return cdq_rank(starts, node + 1u); }
 
 /// A node's square in the unit square, and its level (children of the root are at 1).
 struct CdqCell {
@@ -151,8 +133,7 @@ SHADER_FN CdqPlace cdq_find(uvec4 tree, vec2 uv) {
     place.node = ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u);
     while (place.depth < CDQ_MAX_DEPTH && cdq_is_inner(tree, place.node)) {
         shift -= 1u;
-        place.node = cdq_child(tree, place.node,
-                               ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u));
+        place.node = cdq_child(tree, place.node, ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u));
         place.depth += 1u;
     }
     return place;
@@ -179,20 +160,17 @@ SHADER_FN vec3 cdq_sample(uvec4 tree, uint bits, vec3 u) {
     const vec2 uv = cell.corner + cell.size * vec2(u.y, u.z);
     const vec3 direction = octahedral_decode(uv);
     const vec2 seen = octahedral_encode(direction);
-    if (seen.x >= cell.corner.x && seen.y >= cell.corner.y && seen.x < cell.corner.x + cell.size &&
-        seen.y < cell.corner.y + cell.size)
+    if (seen.x >= cell.corner.x && seen.y >= cell.corner.y && seen.x < cell.corner.x + cell.size && seen.y < cell.corner.y + cell.size)
         return direction;
     return octahedral_decode(cell.corner + cell.size * (0.5f + 0.99f * (vec2(u.y, u.z) - 0.5f)));
 }
 
 SHADER_FN uvec4 cdq_shift_down(uvec4 field) {
-    return uvec4((field.x >> 4u) | (field.y << 28u), (field.y >> 4u) | (field.z << 28u),
-                 (field.z >> 4u) | (field.w << 28u), field.w >> 4u);
+    return uvec4((field.x >> 4u) | (field.y << 28u), (field.y >> 4u) | (field.z << 28u), (field.z >> 4u) | (field.w << 28u), field.w >> 4u);
 }
 
 SHADER_FN uvec4 cdq_shift_up(uvec4 field) {
-    return uvec4(field.x << 4u, (field.y << 4u) | (field.x >> 28u),
-                 (field.z << 4u) | (field.y >> 28u), (field.w << 4u) | (field.z >> 28u));
+    return uvec4(field.x << 4u, (field.y << 4u) | (field.x >> 28u), (field.z << 4u) | (field.y >> 28u), (field.w << 4u) | (field.z >> 28u));
 }
 
 /// The tree after its leaves migrate (paper, figure 4): `inner`, all of whose children are leaves,

@@ -15,9 +15,7 @@ SHADER_CONST uint DIRECTION_MAP_EDGE = 64u;
 SHADER_CONST uint DIRECTION_MAP_GROUPS = (DIRECTION_MAP_EDGE / 8u) * (DIRECTION_MAP_EDGE / 8u);
 
 /// Pixel under the crosshair.
-SHADER_FN uvec2 crosshair_pixel(uvec2 size) {
-    return size / 2u;
-}
+SHADER_FN uvec2 crosshair_pixel(uvec2 size) { return size / 2u; }
 
 SHADER_CONST uint INSET_NONE = 0u;
 SHADER_CONST uint INSET_QUADTREE = 1u;

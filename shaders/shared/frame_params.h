@@ -35,12 +35,12 @@ struct FrameParams {
 /// Push constants of the path tracer's passes. A picture has two sides while techniques are
 /// compared, else one; passes of a side look at its columns only.
 struct PassConstants {
-    uint path_index;   // which of the frame's pt_spp paths per pixel a dispatch traces: only path 0 teaches
-    uint path_count;   // of them; a dispatch that traces none (views) has path_index == path_count
-    uint first_column; // of the side
-    uint end_column;   // the one after its last
+    uint path_index;     // which of the frame's pt_spp paths per pixel a dispatch traces: only path 0 teaches
+    uint path_count;     // of them; a dispatch that traces none (views) has path_index == path_count
+    uint first_column;   // of the side
+    uint end_column;     // the one after its last
     uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of it
-    uint guided; // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
+    uint guided;         // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
 };
 
 /// Counted on the GPU, read back by the host without waiting.

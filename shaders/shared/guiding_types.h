@@ -47,8 +47,7 @@ struct LeafArray {
     ROW(LEAF_EXPLORE, 2u, LEAF_GUIDE, 0u, LEAF_CARRIED) /* ExploreMemory */
 // clang-format on
 SHADER_CONST LeafArray LEAF_BEGIN = LeafArray(0u, 0u);
-#define LEAF_CONSTANT(name, width, before, value, new_leaf)                                        \
-    SHADER_CONST LeafArray name = LeafArray(before.first + before.words, width);
+#define LEAF_CONSTANT(name, width, before, value, new_leaf) SHADER_CONST LeafArray name = LeafArray(before.first + before.words, width);
 LEAF_ARRAY_TABLE(LEAF_CONSTANT)
 #undef LEAF_CONSTANT
 /// Words of a leaf altogether, but for its guider's memory (guide_memory), which is carried.
@@ -60,13 +59,10 @@ SHADER_CONST uint SOURCE_SPLIT = 0x80000000u;
 /// Two sums in a word: the upper halves of their floats, rounded (bfloat16). Not negative, below
 /// 3e38.
 SHADER_FN uint pack_sums(float low, float high) {
-    return ((floatBitsToUint(low) + 0x8000u) >> 16u) |
-           ((floatBitsToUint(high) + 0x8000u) & 0xffff0000u);
+    return ((floatBitsToUint(low) + 0x8000u) >> 16u) | ((floatBitsToUint(high) + 0x8000u) & 0xffff0000u);
 }
 
-SHADER_FN float unpack_sum(uint word, uint half_index) {
-    return uintBitsToFloat(half_index == 0u ? word << 16u : word & 0xffff0000u);
-}
+SHADER_FN float unpack_sum(uint word, uint half_index) { return uintBitsToFloat(half_index == 0u ? word << 16u : word & 0xffff0000u); }
 
 /// Index of a leaf's first word in an array.
 SHADER_FN uint leaf_array_word(LeafArray array, uint leaf, uint node_capacity) {
@@ -79,7 +75,7 @@ SHADER_FN LeafArray guide_memory(uint words) { return LeafArray(LEAF_WORDS, word
 /// A light sample: light id, how it was drawn, the estimate that a draw from a list is (a power of two), and one
 /// bit if the surface saw the light.
 SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
-SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u; // one of the next four
+SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u;  // one of the next four
 SHADER_CONST uint LIGHT_SAMPLE_CACHED = 0u;          // from the cache
 SHADER_CONST uint LIGHT_SAMPLE_TABLED = 0x20000000u; // from the table of all lights
 SHADER_CONST uint LIGHT_SAMPLE_LISTED = 0x40000000u; // from the list of the surface's cluster
@@ -144,8 +140,7 @@ SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
 /// The memory after a frame with these sums of its own, and with `drawn` draws from the cache of which the
 /// surface saw `seen`. A frame in which no draw met a light of the cache had none, so it does not tell what
 /// a cache lacks: what it found is in the next one.
-SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float known, float found,
-                                       uint drawn, uint seen) {
+SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float known, float found, uint drawn, uint seen) {
     if (drawn == 0u && !(known > 0.0f)) return memory;
     // Many new draws leave little of the old: an empty cache is full a frame later.
     const float kept = max(1.0f - listed / EXPLORE_DRAWS, 0.0f);
@@ -168,17 +163,11 @@ SHADER_FN uint ray_sample_pack(uvec2 grid, float contribution) {
 }
 
 /// The cell of a direction (unit vector).
-SHADER_FN uvec2 ray_sample_cell(vec3 direction) {
-    return uvec2(octahedral_encode(direction) * float(1u << CDQ_MAX_DEPTH));
-}
+SHADER_FN uvec2 ray_sample_cell(vec3 direction) { return uvec2(octahedral_encode(direction) * float(1u << CDQ_MAX_DEPTH)); }
 
-SHADER_FN uvec2 ray_sample_grid(uint packed_sample) {
-    return uvec2(packed_sample & 0xfffu, (packed_sample >> 12u) & 0xfffu);
-}
+SHADER_FN uvec2 ray_sample_grid(uint packed_sample) { return uvec2(packed_sample & 0xfffu, (packed_sample >> 12u) & 0xfffu); }
 
-SHADER_FN float ray_sample_contribution(uint packed_sample) {
-    return exp2(0.25f * (float(packed_sample >> 24u) - 128.0f));
-}
+SHADER_FN float ray_sample_contribution(uint packed_sample) { return exp2(0.25f * (float(packed_sample >> 24u) - 128.0f)); }
 
 /// A leaf's samples beyond this many are passed over, evenly: as many as make a leaf split at 1920
 /// x 1080 pixels. Also, llvmpipe silently ends all loops of an invocation after 65,535 rounds
@@ -199,23 +188,21 @@ SHADER_CONST uint VLC_LARGEST_BUCKET = 64u;
 
 /// Push constants of all passes.
 struct GuidingSettings {
-    uint split;        // a leaf with more samples is split
-    uint collapse;     // an inner node of eight leaves that have fewer together is collapsed
-    uint bucket;       // most lights in a bucket
-    uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
-    uint merge_faces;  // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
-    uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
-    uint migrations;   // of a directional quadtree in a frame, at most
-    float margin;      // how far a migration must pay off
-    uint memory_rays;  // a guider follows about so many of a leaf's last rays; 0: those of the last frame
+    uint split;         // a leaf with more samples is split
+    uint collapse;      // an inner node of eight leaves that have fewer together is collapsed
+    uint bucket;        // most lights in a bucket
+    uint small_bucket;  // the same where buckets would get fewer than in the frame before (hysteresis)
+    uint merge_faces;   // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
+    uint persist;       // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
+    uint migrations;    // of a directional quadtree in a frame, at most
+    float margin;       // how far a migration must pay off
+    uint memory_rays;   // a guider follows about so many of a leaf's last rays; 0: those of the last frame
     float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
     uint memory_words;  // of the guider, per leaf; 0 without memory
 };
 
 /// Density of directions of which `other_part` are drawn with the density `other`, the rest with that of the guider.
-SHADER_FN float guide_mixture_pdf(float guided, float other, float other_part) {
-    return mix(guided, other, other_part);
-}
+SHADER_FN float guide_mixture_pdf(float guided, float other, float other_part) { return mix(guided, other, other_part); }
 
 /// Part of what a guider learned that is kept in a frame which brings `rays` new ones.
 SHADER_FN float guide_kept(GuidingSettings settings, uint rays) {

@@ -33,9 +33,7 @@ struct LightHierarchyHeader {
 };
 
 /// Words of 16 bytes from node to node.
-SHADER_FN uint light_node_stride(uint groups) {
-    return 4u * groups;
-}
+SHADER_FN uint light_node_stride(uint groups) { return 4u * groups; }
 
 /// Head of a node.
 struct LightNode {
@@ -57,9 +55,7 @@ SHADER_FN vec4 light_node_bytes(uint word) {
     // Signed conversion is one instruction on CPUs, unsigned is several.
     return vec4(ivec4((uvec4(word) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u)));
 }
-SHADER_FN vec4 light_node_signed_bytes(uint word) {
-    return vec4(ivec4(uvec4(word) << uvec4(24u, 16u, 8u, 0u)) >> 24);
-}
+SHADER_FN vec4 light_node_signed_bytes(uint word) { return vec4(ivec4(uvec4(word) << uvec4(24u, 16u, 8u, 0u)) >> 24); }
 
 /// Energies are relative to the largest of a node: 6 bits exponent (from 2^-63 to 1) and 2 bits
 /// mantissa, of the energy + 2^-63. Off by at most 1/8 from 2^-60 on; 0: there is no such child.
@@ -95,13 +91,11 @@ SHADER_FN vec4 light_mean_divisor(vec4 middle, vec4 reach) {
 /// with means over the child's box and cone of normals, as if they were filled evenly (the cone's
 /// by rule of thumb). Conservative: what is cut off are boxes below the horizon, exactly, and boxes
 /// from which no normal of the cone sees the surface (exactly where all normals are equal).
-SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, uvec4 word2,
-                                      vec3 position, vec3 normal) {
+SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, uvec4 word2, vec3 position, vec3 normal) {
     // Boxes as seen from the surface: middle and half extent, as parts of the farthest coordinates.
     vec3 offset = node.origin - position;
     vec3 step = node.step;
-    float unit = 1.0f / (abs(offset.x) + abs(offset.y) + abs(offset.z) +
-                         255.0f * (step.x + step.y + step.z));
+    float unit = 1.0f / (abs(offset.x) + abs(offset.y) + abs(offset.z) + 255.0f * (step.x + step.y + step.z));
     offset *= unit;
     step *= unit;
     vec4 x = light_node_bytes(word0.x) * step.x + offset.x;
@@ -110,8 +104,7 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
     vec4 size_x = light_node_bytes(word0.w) * (0.5f * step.x);
     vec4 size_y = light_node_bytes(word1.x) * (0.5f * step.y);
     vec4 size_z = light_node_bytes(word1.y) * (0.5f * step.z);
-    vec4 squared = x * x + y * y + z * z +
-                   (size_x * size_x + size_y * size_y + size_z * size_z) * (1.0f / 3.0f);
+    vec4 squared = x * x + y * y + z * z + (size_x * size_x + size_y * size_y + size_z * size_z) * (1.0f / 3.0f);
     squared = max(squared, vec4(LIGHT_NODE_NEAREST));
 
     // The surface: heights above its horizon.
@@ -123,8 +116,7 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
     vec4 axis_y = light_node_signed_bytes(word1.w);
     vec4 axis_z = light_node_signed_bytes(word2.x);
     vec4 facing = (axis_x * x + axis_y * y + axis_z * z) * (-1.0f / 127.0f);
-    vec4 facing_reach =
-        (abs(axis_x) * size_x + abs(axis_y) * size_y + abs(axis_z) * size_z) * (1.0f / 127.0f);
+    vec4 facing_reach = (abs(axis_x) * size_x + abs(axis_y) * size_y + abs(axis_z) * size_z) * (1.0f / 127.0f);
     // No normal of the cone turns more than its distance from the axis towards the surface, for a
     // point at distance 1; no point of the box is farther than this.
     vec4 spread = light_node_bytes(word2.y) * (1.0f / 127.0f);
@@ -135,10 +127,8 @@ SHADER_FN vec4 light_group_importance(LightNode node, uvec4 word0, uvec4 word1, 
     // The mean normal of an evenly filled cone has this part of the length.
     vec4 mean = facing * (1.0f - 0.25f * spread * spread);
     vec4 mean_reach = facing_reach + 0.4f * turned;
-    vec4 per_energy = light_mean_dividend(height, height_reach) *
-                      light_mean_dividend(mean, mean_reach) /
-                      (light_mean_divisor(height, height_reach) *
-                       light_mean_divisor(mean, mean_reach) * (squared * squared));
+    vec4 per_energy = light_mean_dividend(height, height_reach) * light_mean_dividend(mean, mean_reach) /
+                      (light_mean_divisor(height, height_reach) * light_mean_divisor(mean, mean_reach) * (squared * squared));
     return mix(vec4(0.0f), light_node_energies(word2.z) * max(per_energy, vec4(LIGHT_NODE_LEAST)),
                greaterThan(visible, vec4(-LIGHT_NODE_SLACK)));
 }
@@ -158,18 +148,15 @@ SHADER_FN LightNodeWeights light_node_weights(vec4 importance0, vec4 importance1
     vec4 both = max(importance0, importance1);
     float least = LIGHT_NODE_DEFENSIVE * max(max(both.x, both.y), max(both.z, both.w));
     LightNodeWeights weights;
-    weights.group0 =
-        mix(vec4(0.0f), max(importance0, vec4(least)), greaterThan(importance0, vec4(0.0f)));
-    weights.group1 =
-        mix(vec4(0.0f), max(importance1, vec4(least)), greaterThan(importance1, vec4(0.0f)));
+    weights.group0 = mix(vec4(0.0f), max(importance0, vec4(least)), greaterThan(importance0, vec4(0.0f)));
+    weights.group1 = mix(vec4(0.0f), max(importance1, vec4(least)), greaterThan(importance1, vec4(0.0f)));
     return weights;
 }
 
 SHADER_FN float light_node_sum(LightNodeWeights weights) {
     vec4 first = weights.group0;
     vec4 second = weights.group1;
-    return ((first.x + first.y) + (first.z + first.w)) +
-           ((second.x + second.y) + (second.z + second.w));
+    return ((first.x + first.y) + (first.z + first.w)) + ((second.x + second.y) + (second.z + second.w));
 }
 
 SHADER_FN float light_node_weight(LightNodeWeights weights, uint child) {
@@ -183,8 +170,7 @@ struct LightNodeChoice {
     float below;  // sum of the weights before it
 };
 
-SHADER_FN void light_node_pass(INOUT(LightNodeChoice) choice, uint child, float weight, float below,
-                               float target) {
+SHADER_FN void light_node_pass(INOUT(LightNodeChoice) choice, uint child, float weight, float below, float target) {
     if (weight > 0.0f && below <= target) {
         choice.child = child;
         choice.weight = weight;

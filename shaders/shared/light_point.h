@@ -45,28 +45,25 @@ SHADER_FN float lobe_share(LtcSurface prepared, vec3 view, Brdf brdf, Light ligh
 /// Draws a point on the light as `sample_light` does, but in `share` of the draws (in [0, 1)) along
 /// the GGX lobe of a surface (unit normal and view). Use and densities as there; geometry is 0 if
 /// the lobe missed the light.
-SHADER_FN LightSample sample_light_glossy(Light light, SphericalTriangle near, vec3 position,
-                                          vec3 normal, vec3 view, Brdf brdf, float share, vec2 u) {
+SHADER_FN LightSample sample_light_glossy(Light light, SphericalTriangle near, vec3 position, vec3 normal, vec3 view, Brdf brdf,
+                                          float share, vec2 u) {
     if (!(share > 0.0f)) return sample_light(light, near, position, u);
     LightSample seen;
     if (u.x < share) {
         Basis basis = make_basis(normal);
-        vec3 local = sample_visible_reflection(to_local(basis, brdf_view(normal, view)), brdf.alpha,
-                                               vec2(u.x / share, u.y));
+        vec3 local = sample_visible_reflection(to_local(basis, brdf_view(normal, view)), brdf.alpha, vec2(u.x / share, u.y));
         vec3 direction = normalize(to_world(basis, local));
         vec2 at = light_plane_point(light, position, direction);
         bool met = at.x >= 0.0f && at.y >= 0.0f && at.x + at.y <= 1.0f; // false for NaN
         vec3 point = light.v0 + (met ? at.x : 0.0f) * light.e1 + (met ? at.y : 0.0f) * light.e2;
         seen = see_light_point(light, position, point);
         // The light's back lies on the same line, and so does what is behind the surface.
-        met = met && dot(seen.direction, direction) > 0.0f && dot(normal, direction) > 0.0f &&
-              seen.geometry > 0.0f;
+        met = met && dot(seen.direction, direction) > 0.0f && dot(normal, direction) > 0.0f && seen.geometry > 0.0f;
         seen.pdf = met ? light_pdf(light, near, position, point) : 0.0f;
     } else {
         seen = sample_light(light, near, position, vec2((u.x - share) / (1.0f - share), u.y));
     }
-    if (seen.pdf > 0.0f)
-        seen.pdf = mix(seen.pdf, visible_reflection_pdf(brdf, normal, view, seen.direction), share);
+    if (seen.pdf > 0.0f) seen.pdf = mix(seen.pdf, visible_reflection_pdf(brdf, normal, view, seen.direction), share);
     seen.geometry = seen.pdf > 0.0f ? 1.0f / seen.pdf : 0.0f;
     return seen;
 }

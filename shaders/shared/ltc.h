@@ -46,9 +46,7 @@ SHADER_FN float half_angle_over_sine(float cosine, float sine_squared) {
 }
 
 /// Unit vector; the zero vector stays finite.
-SHADER_FN vec3 safe_normalize(vec3 v) {
-    return v * inversesqrt(max(dot(v, v), 1e-30f));
-}
+SHADER_FN vec3 safe_normalize(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30f)); }
 
 /// One edge of the contour integral over pi: the angle under which the edge b -> a is seen from the
 /// origin, times the normal's component along the plane through both and the origin, over 2 pi.
@@ -176,15 +174,13 @@ SHADER_FN LtcSurface ltc_prepare_diffuse(vec3 position, vec3 normal, float albed
 }
 
 /// Prepares a point with both lobes; `entry` is the table's at ltc_cell(brdf.alpha, view cosine).
-SHADER_FN LtcSurface ltc_prepare_glossy(vec3 position, vec3 normal, vec3 view, Brdf brdf,
-                                        LtcEntry entry) {
+SHADER_FN LtcSurface ltc_prepare_glossy(vec3 position, vec3 normal, vec3 view, Brdf brdf, LtcEntry entry) {
     vec3 v = brdf_view(normal, view);
     float nv = brdf_cosine(normal, v);
     LtcSurface surface;
     surface.position = position;
     surface.normal = normal;
-    surface.diffuse =
-        luminance(brdf.albedo) * diffuse_under_coat(brdf.f0, coat_shading(brdf.alpha), nv);
+    surface.diffuse = luminance(brdf.albedo) * diffuse_under_coat(brdf.f0, coat_shading(brdf.alpha), nv);
     surface.specular = brdf.f0 * entry.albedo.x + entry.albedo.y;
     // The table holds the lobe of a view in the plane of +x and +z. Seen from above every tangent
     // will do.
@@ -223,8 +219,7 @@ SHADER_FN LtcParts ltc_parts(LtcSurface surface, Light light, bool glossy) {
     float form = form_factor(surface.normal, v0, light.e1, light.e2, facing);
     parts.diffuse = surface.diffuse * form;
     if (glossy && surface.specular > 0.0f) {
-        float lobe = form_factor(vec3(0.0f, 0.0f, 1.0f), surface.to_cosine * v0,
-                                 surface.to_cosine * light.e1, surface.to_cosine * light.e2,
+        float lobe = form_factor(vec3(0.0f, 0.0f, 1.0f), surface.to_cosine * v0, surface.to_cosine * light.e1, surface.to_cosine * light.e2,
                                  surface.determinant * facing);
         parts.covered = form > 0.0f ? mix(lobe, form, LTC_DEFENSIVE) : 0.0f;
         parts.specular = surface.specular * parts.covered;
@@ -266,10 +261,8 @@ SHADER_FN LtcCell ltc_cell(float alpha, float view_cosine) {
 /// lower.
 SHADER_FN LtcEntry ltc_mix(LtcEntry e00, LtcEntry e01, LtcEntry e10, LtcEntry e11, vec2 weight) {
     LtcEntry entry;
-    entry.matrix =
-        mix(mix(e00.matrix, e01.matrix, weight.x), mix(e10.matrix, e11.matrix, weight.x), weight.y);
-    entry.albedo =
-        mix(mix(e00.albedo, e01.albedo, weight.x), mix(e10.albedo, e11.albedo, weight.x), weight.y);
+    entry.matrix = mix(mix(e00.matrix, e01.matrix, weight.x), mix(e10.matrix, e11.matrix, weight.x), weight.y);
+    entry.albedo = mix(mix(e00.albedo, e01.albedo, weight.x), mix(e10.albedo, e11.albedo, weight.x), weight.y);
     return entry;
 }
 

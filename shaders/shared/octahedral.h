@@ -17,14 +17,11 @@ SHADER_CONST float OCTAHEDRAL_MAX = 1.0f - 1.0f / 16777216.0f;
 /// The fold between the two halves: its own inverse. Zero counts as positive, so no axis falls on a
 /// corner's wrong side.
 SHADER_FN vec2 octahedral_fold(vec2 p) {
-    return vec2((1.0f - abs(p.y)) * (p.x >= 0.0f ? 1.0f : -1.0f),
-                (1.0f - abs(p.x)) * (p.y >= 0.0f ? 1.0f : -1.0f));
+    return vec2((1.0f - abs(p.y)) * (p.x >= 0.0f ? 1.0f : -1.0f), (1.0f - abs(p.x)) * (p.y >= 0.0f ? 1.0f : -1.0f));
 }
 
 /// A coordinate of the unit square, below 1; 0 for what is no number.
-SHADER_FN float octahedral_inside(float x) {
-    return x > 0.0f ? min(x, OCTAHEDRAL_MAX) : 0.0f;
-}
+SHADER_FN float octahedral_inside(float x) { return x > 0.0f ? min(x, OCTAHEDRAL_MAX) : 0.0f; }
 
 /// Direction of any length from 1e-37 to 1e38 to the unit square, [0, 1)^2. The zero vector maps to
 /// the centre, and anything else, numbers or not, to some point of the square.
@@ -44,9 +41,7 @@ SHADER_FN vec3 octahedral_point(vec2 uv) {
 }
 
 /// Unit square to unit direction, to within 3e-7 radians.
-SHADER_FN vec3 octahedral_decode(vec2 uv) {
-    return normalize(octahedral_point(uv));
-}
+SHADER_FN vec3 octahedral_decode(vec2 uv) { return normalize(octahedral_point(uv)); }
 
 /// Square density to solid-angle density: pdf per steradian = pdf per unit square area * this
 /// factor, |q|_2^3 / 4. For a unit direction q = d / |d|_1, so that |q|_2 = 1 / |d|_1. In [0.048,

@@ -20,24 +20,16 @@ SHADER_CONST uint OCTREE_ALL_LEAVES = 0xffu;
 
 /// Bits 0..7: which children are leaves. Bits 8..31: index of the first inner child; the inner
 /// children follow each other in the order of their child number, without gaps.
-SHADER_FN uint octree_node(uint leaf_mask, uint first_inner) {
-    return leaf_mask | (first_inner << 8u);
-}
+SHADER_FN uint octree_node(uint leaf_mask, uint first_inner) { return leaf_mask | (first_inner << 8u); }
 
-SHADER_FN bool octree_is_leaf(uint node, uint child) {
-    return ((node >> child) & 1u) != 0u;
-}
+SHADER_FN bool octree_is_leaf(uint node, uint child) { return ((node >> child) & 1u) != 0u; }
 
 /// Index of the inner node at `child`, which must not be a leaf.
-SHADER_FN uint octree_inner_child(uint node, uint child) {
-    return (node >> 8u) + uint(bitCount(~node & ((1u << child) - 1u)));
-}
+SHADER_FN uint octree_inner_child(uint node, uint child) { return (node >> 8u) + uint(bitCount(~node & ((1u << child) - 1u))); }
 
 /// Leaves are numbered by their parent: 8 * node + child. Numbers whose child is an inner node are
 /// not used.
-SHADER_FN uint octree_leaf(uint node, uint child) {
-    return 8u * node + child;
-}
+SHADER_FN uint octree_leaf(uint node, uint child) { return 8u * node + child; }
 
 /// Smallest cell along an axis, for a distance from the root's corner in smallest cells. A distance
 /// that is no number counts as 0: the conversion of such a value is undefined in C++ and in GLSL.
@@ -50,16 +42,14 @@ SHADER_FN uint octree_coordinate(float cells) {
 /// cube count as being in its outermost cells.
 SHADER_FN uvec3 octree_grid(vec3 position, vec3 corner, float scale) {
     const vec3 cells = (position - corner) * scale;
-    return uvec3(octree_coordinate(cells.x), octree_coordinate(cells.y),
-                 octree_coordinate(cells.z));
+    return uvec3(octree_coordinate(cells.x), octree_coordinate(cells.y), octree_coordinate(cells.z));
 }
 
 /// Which child of a node at `depth` (0: the root) holds a smallest cell: bit 0 is x, bit 1 y, bit 2
 /// z.
 SHADER_FN uint octree_child(uvec3 grid, uint depth) {
     const uint shift = OCTREE_MAX_DEPTH - 1u - depth;
-    return ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u) |
-           (((grid.z >> shift) & 1u) << 2u);
+    return ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u) | (((grid.z >> shift) & 1u) << 2u);
 }
 
 /// A walk from the root to the leaf that holds a smallest cell.
@@ -93,9 +83,7 @@ struct OctreeCell {
 };
 
 /// Edge of a cube at `depth`, in smallest cells.
-SHADER_FN uint octree_cell_size(uint depth) {
-    return 1u << (OCTREE_MAX_DEPTH - depth);
-}
+SHADER_FN uint octree_cell_size(uint depth) { return 1u << (OCTREE_MAX_DEPTH - depth); }
 
 /// The cube at `depth` that holds a smallest cell.
 SHADER_FN OctreeCell octree_cell(uvec3 grid, uint depth) {

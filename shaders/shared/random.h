@@ -90,9 +90,7 @@ SHADER_FN float unit_float(uint word) {
 }
 
 /// Uniform in [0, 1), strictly below 1.
-SHADER_FN float random_next(INOUT(Random) random) {
-    return unit_float(random_next_words(random).x);
-}
+SHADER_FN float random_next(INOUT(Random) random) { return unit_float(random_next_words(random).x); }
 
 /// Two independent uniforms for the price of one draw.
 SHADER_FN vec2 random_next2(INOUT(Random) random) {

@@ -14,9 +14,7 @@ SHADER_CONST float TWO_PI = 6.28318530717959f;
 SHADER_CONST float INVERSE_PI = 0.318309886183791f;
 
 /// An index below `count` > 0, each equally likely for u in [0, 1).
-SHADER_FN uint draw_index(float u, uint count) {
-    return min(uint(u * float(count)), count - 1u);
-}
+SHADER_FN uint draw_index(float u, uint count) { return min(uint(u * float(count)), count - 1u); }
 
 /// A right-handed orthonormal basis: cross(tangent, bitangent) = normal.
 struct Basis {
@@ -38,9 +36,7 @@ SHADER_FN Basis make_basis(vec3 normal) {
     return basis;
 }
 
-SHADER_FN vec3 to_world(Basis basis, vec3 local) {
-    return local.x * basis.tangent + local.y * basis.bitangent + local.z * basis.normal;
-}
+SHADER_FN vec3 to_world(Basis basis, vec3 local) { return local.x * basis.tangent + local.y * basis.bitangent + local.z * basis.normal; }
 
 SHADER_FN vec3 to_local(Basis basis, vec3 world) {
     return vec3(dot(world, basis.tangent), dot(world, basis.bitangent), dot(world, basis.normal));
@@ -60,9 +56,7 @@ SHADER_FN vec3 sample_cosine_hemisphere(vec2 u) {
     return vec3(disk.x, disk.y, sqrt(1.0f - u.x));
 }
 
-SHADER_FN float cosine_hemisphere_pdf(float cosine) {
-    return max(cosine, 0.0f) * INVERSE_PI;
-}
+SHADER_FN float cosine_hemisphere_pdf(float cosine) { return max(cosine, 0.0f) * INVERSE_PI; }
 
 /// Uniform on the sphere; density 1 / (4 pi).
 SHADER_FN vec3 sample_sphere(vec2 u) {
@@ -81,9 +75,7 @@ SHADER_FN vec3 sample_cone(vec2 u, float one_minus_cosine) {
     return vec3(radius * cos(angle), radius * sin(angle), 1.0f - depth);
 }
 
-SHADER_FN float cone_pdf(float one_minus_cosine) {
-    return 1.0f / (TWO_PI * one_minus_cosine);
-}
+SHADER_FN float cone_pdf(float one_minus_cosine) { return 1.0f / (TWO_PI * one_minus_cosine); }
 
 /// 1 - cos(half_angle), without cancellation; radians.
 SHADER_FN float cone_size(float half_angle) {
@@ -102,8 +94,7 @@ SHADER_FN bool in_cone(vec3 direction, vec3 axis, float one_minus_cosine) {
 /// is at most 1. Source: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019. Needs no
 /// square root.
 SHADER_FN vec2 sample_triangle(vec2 u) {
-    vec2 folded =
-        u.y > u.x ? vec2(0.5f * u.x, u.y - 0.5f * u.x) : vec2(u.x - 0.5f * u.y, 0.5f * u.y);
+    vec2 folded = u.y > u.x ? vec2(0.5f * u.x, u.y - 0.5f * u.x) : vec2(u.x - 0.5f * u.y, 0.5f * u.y);
     return folded;
 }
 

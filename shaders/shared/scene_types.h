@@ -69,12 +69,12 @@ SHADER_CONST uint MATERIAL_SHINES = 32u;  // a particle: emits towards the camer
 SHADER_CONST float SHINE_RADIANCE = 20.0f;
 
 struct Material {
-    uint texture;          // index of the texture header of the first animation frame
-    uint frame_count;      // animation frames: `texture` .. `texture + frame_count - 1`
-    uint flags;            // MATERIAL_*
-    float roughness;       // GGX alpha = roughness^2
-    float specular;        // reflectance at normal incidence, in [0, 1]
-    vec3 inverse_mean;     // 1 / mean linear texel: an emissive texel times this has mean 1; 0: plain emission
+    uint texture;      // index of the texture header of the first animation frame
+    uint frame_count;  // animation frames: `texture` .. `texture + frame_count - 1`
+    uint flags;        // MATERIAL_*
+    float roughness;   // GGX alpha = roughness^2
+    float specular;    // reflectance at normal incidence, in [0, 1]
+    vec3 inverse_mean; // 1 / mean linear texel: an emissive texel times this has mean 1; 0: plain emission
 };
 
 /// A picture in the texel buffer: RGB9E5 (shared exponent, linear), rows from the top, mip levels one after
@@ -102,8 +102,8 @@ struct PrimaryHit {
     vec3 albedo;    // linear
     uint primitive; // NONE: nothing to light (sky, miss, the inside of a wall)
     uint instance;
-    uint gloss;     // packHalf2x16(GGX alpha, to 2^-11 of itself; reflectance at normal incidence, to 2^-12)
-    uint flags;     // PRIMARY_HIT_*
+    uint gloss; // packHalf2x16(GGX alpha, to 2^-11 of itself; reflectance at normal incidence, to 2^-12)
+    uint flags; // PRIMARY_HIT_*
 };
 
 SHADER_CONST uint PRIMARY_HIT_NONFINITE = 1u; // a path through this pixel gave a value that was not finite

@@ -193,8 +193,8 @@ namespace vigil {
 
 /// The settings that shaders read. Every field has 4 bytes, so scalar layout is the C++ layout.
 struct GpuSettings {
-    VIGIL_RENDERER_TABLE(VIGIL_NO_STRING, VIGIL_NO_NUMBER, VIGIL_NO_NUMBER, VIGIL_NO_CHOICE,
-                         VIGIL_GPU_INTEGER, VIGIL_GPU_REAL, VIGIL_GPU_CHOICE)
+    VIGIL_RENDERER_TABLE(VIGIL_NO_STRING, VIGIL_NO_NUMBER, VIGIL_NO_NUMBER, VIGIL_NO_CHOICE, VIGIL_GPU_INTEGER, VIGIL_GPU_REAL,
+                         VIGIL_GPU_CHOICE)
 };
 
 #ifdef __cplusplus

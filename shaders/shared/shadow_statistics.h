@@ -37,12 +37,8 @@ SHADER_FN uint shadow_slot(uint cluster, uint light, uint direction, uint slots)
 }
 
 // Where a slot's words are: losses first, for those are what every candidate asks for.
-SHADER_FN uint shadow_loss_word(uint slot) {
-    return slot;
-}
-SHADER_FN uint shadow_count_word(uint slot, uint slots, bool shadowed) {
-    return slots + 2u * slot + (shadowed ? 1u : 0u);
-}
+SHADER_FN uint shadow_loss_word(uint slot) { return slot; }
+SHADER_FN uint shadow_count_word(uint slot, uint slots, bool shadowed) { return slots + 2u * slot + (shadowed ? 1u : 0u); }
 
 /// What a light loses of its weight: the share of shadowed rays, at most SHADOW_MOST_LOSS, and
 /// nothing as long as nothing is known.
@@ -52,9 +48,7 @@ SHADER_FN float shadow_loss(uint seen, uint shadowed) {
 }
 
 /// A count one frame later.
-SHADER_FN uint fade_shadow_count(uint count) {
-    return count - count / 4u - ((count & 3u) != 0u ? 1u : 0u);
-}
+SHADER_FN uint fade_shadow_count(uint count) { return count - count / 4u - ((count & 3u) != 0u ? 1u : 0u); }
 
 SHADER_END
 #endif

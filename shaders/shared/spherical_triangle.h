@@ -25,18 +25,15 @@ SHADER_FN SphericalTriangle spherical_triangle(vec3 a, vec3 e1, vec3 e2) {
     SphericalTriangle triangle;
     const vec3 b = a + e1;
     const vec3 c = a + e2;
-    triangle.nearness =
-        vec3(inversesqrt(dot(a, a)), inversesqrt(dot(b, b)), inversesqrt(dot(c, c)));
+    triangle.nearness = vec3(inversesqrt(dot(a, a)), inversesqrt(dot(b, b)), inversesqrt(dot(c, c)));
     triangle.a = a * triangle.nearness.x;
     triangle.b = b * triangle.nearness.y;
     triangle.c = c * triangle.nearness.z;
     // a . (b x c) = a . (e1 x e2): the edges of a small triangle have their digits, differences of
     // its unit vectors do not.
-    triangle.volume =
-        abs(dot(cross(e1, e2), triangle.a)) * triangle.nearness.y * triangle.nearness.z;
+    triangle.volume = abs(dot(cross(e1, e2), triangle.a)) * triangle.nearness.y * triangle.nearness.z;
     triangle.solid_angle =
-        2.0f * atan(triangle.volume, 1.0f + dot(triangle.a, triangle.b) +
-                                         dot(triangle.b, triangle.c) + dot(triangle.c, triangle.a));
+        2.0f * atan(triangle.volume, 1.0f + dot(triangle.a, triangle.b) + dot(triangle.b, triangle.c) + dot(triangle.c, triangle.a));
     return triangle;
 }
 
@@ -48,8 +45,7 @@ SHADER_FN vec2 sample_spherical_triangle(SphericalTriangle triangle, vec2 u) {
     // written as the reflection of a at that half, everything is linear in a and c.
     const float ac = dot(triangle.a, triangle.c);
     const float half_area = 0.5f * u.x * triangle.solid_angle;
-    const float x =
-        triangle.volume * cos(half_area) - (ac + dot(triangle.b, triangle.c)) * sin(half_area);
+    const float x = triangle.volume * cos(half_area) - (ac + dot(triangle.b, triangle.c)) * sin(half_area);
     const float share = (1.0f + dot(triangle.a, triangle.b)) * sin(half_area);
     // Only the ratio counts, which is 1 where the whole area is cut off.
     const float y = x > share ? max(share / x, 0.0f) : 1.0f;
@@ -58,8 +54,7 @@ SHADER_FN vec2 sample_spherical_triangle(SphericalTriangle triangle, vec2 u) {
     const float end_c = 2.0f * y * max(1.0f + y * ac, 0.0f) / squared;
 
     // A point on that edge: its cosine with b is uniform between 1 and that of the end.
-    const float cosine = clamp(
-        end_a * dot(triangle.a, triangle.b) + end_c * dot(triangle.b, triangle.c), -1.0f, 1.0f);
+    const float cosine = clamp(end_a * dot(triangle.a, triangle.b) + end_c * dot(triangle.b, triangle.c), -1.0f, 1.0f);
     const float z = 1.0f - u.y * (1.0f - cosine);
     const float t = sqrt(u.y * (1.0f + z) / max(1.0f + cosine, 1e-12f));
 

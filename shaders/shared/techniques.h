@@ -63,8 +63,7 @@ constexpr std::optional<TechniqueRow> find_technique_row(std::string_view name) 
     TechniqueRow row;
     if (const auto plus = name.find('+'); plus != std::string_view::npos) {
         for (const GuiderInfo& info : guider_infos)
-            if (info.name == name.substr(plus + 1))
-                row.guide = static_cast<Guide>(&info - guider_infos);
+            if (info.name == name.substr(plus + 1)) row.guide = static_cast<Guide>(&info - guider_infos);
         if (row.guide == Guide::brdf) return std::nullopt;
         name = name.substr(0, plus);
     }
@@ -110,8 +109,7 @@ inline constexpr auto compare_choice_text = [] {
     write(text.data());
     return text;
 }();
-inline constexpr std::string_view compare_choices{compare_choice_text.data(),
-                                                  compare_choice_text.size()};
+inline constexpr std::string_view compare_choices{compare_choice_text.data(), compare_choice_text.size()};
 
 } // namespace vigil
 

@@ -27,14 +27,10 @@ struct LightSample {
 
 /// Twice the area times the distance of `position` in front of the light's plane (units^3).
 /// Positive on the lit side; 0 for lights without area and points exactly in the plane.
-SHADER_FN float light_facing(Light light, vec3 position) {
-    return dot(cross(light.e1, light.e2), position - light.v0);
-}
+SHADER_FN float light_facing(Light light, vec3 position) { return dot(cross(light.e1, light.e2), position - light.v0); }
 
 /// Area in square units.
-SHADER_FN float light_area(Light light) {
-    return 0.5f * length(cross(light.e1, light.e2));
-}
+SHADER_FN float light_area(Light light) { return 0.5f * length(cross(light.e1, light.e2)); }
 
 /// Unit normal of the lit side; (0, 0, 0) if the light has no area.
 SHADER_FN vec3 light_normal(Light light) {
@@ -73,18 +69,16 @@ SHADER_FN float light_solid_angle(Light light, vec3 position) {
     const vec3 a = light.v0 - position;
     const vec3 b = a + light.e1;
     const vec3 c = a + light.e2;
-    const vec3 inverse =
-        vec3(inversesqrt(dot(a, a)), inversesqrt(dot(b, b)), inversesqrt(dot(c, c)));
+    const vec3 inverse = vec3(inversesqrt(dot(a, a)), inversesqrt(dot(b, b)), inversesqrt(dot(c, c)));
     const float volume = facing * inverse.x * inverse.y * inverse.z;
-    const float angle = 2.0f * atan(volume, 1.0f + dot(a, b) * (inverse.x * inverse.y) +
-                                                dot(b, c) * (inverse.y * inverse.z) +
+    const float angle = 2.0f * atan(volume, 1.0f + dot(a, b) * (inverse.x * inverse.y) + dot(b, c) * (inverse.y * inverse.z) +
                                                 dot(c, a) * (inverse.z * inverse.x));
     return angle > 0.0f ? angle : 0.0f; // also for NaN: at a corner
 }
 
 /// How dense points are drawn on a light: the choices of pt_light_density, in their order.
-SHADER_CONST int LIGHT_DENSITY_AUTO = 0; // by solid angle where the light is near, else by area
-SHADER_CONST int LIGHT_DENSITY_AREA = 1; // evenly over its area: the paper
+SHADER_CONST int LIGHT_DENSITY_AUTO = 0;        // by solid angle where the light is near, else by area
+SHADER_CONST int LIGHT_DENSITY_AREA = 1;        // evenly over its area: the paper
 SHADER_CONST int LIGHT_DENSITY_SOLID_ANGLE = 2; // evenly over what is seen of it: Quake II RTX
 
 /// Below this solid angle (steradian) `auto` samples a light by area.
@@ -99,29 +93,23 @@ SHADER_FN SphericalTriangle near_light(Light light, vec3 position, int density) 
     // A light of less than half its distance in size is far, without a closer look.
     const vec3 a = light.v0 - position;
     const bool always = density == LIGHT_DENSITY_SOLID_ANGLE;
-    if (!always && 4.0f * (dot(light.e1, light.e1) + dot(light.e2, light.e2)) < dot(a, a))
-        return seen;
+    if (!always && 4.0f * (dot(light.e1, light.e1) + dot(light.e2, light.e2)) < dot(a, a)) return seen;
     const vec3 b = a + light.e1;
     const vec3 c = a + light.e2;
-    if (!(light_facing(light, position) > 0.0f) || !(dot(a, a) > 0.0f) || !(dot(b, b) > 0.0f) ||
-        !(dot(c, c) > 0.0f))
-        return seen;
+    if (!(light_facing(light, position) > 0.0f) || !(dot(a, a) > 0.0f) || !(dot(b, b) > 0.0f) || !(dot(c, c) > 0.0f)) return seen;
     seen = spherical_triangle(a, light.e1, light.e2);
     // Whose density is beyond all floats is left to its area, which says the same.
     if (!(seen.solid_angle > (always ? 1e-37f : LIGHT_NEAR_SOLID_ANGLE))) seen.solid_angle = 0.0f;
     return seen;
 }
 
-SHADER_FN SphericalTriangle near_light(Light light, vec3 position) {
-    return near_light(light, position, LIGHT_DENSITY_AUTO);
-}
+SHADER_FN SphericalTriangle near_light(Light light, vec3 position) { return near_light(light, position, LIGHT_DENSITY_AUTO); }
 
 /// Where a line meets the light's plane, as weights of e1 and e2; not finite along the plane.
 SHADER_FN vec2 light_plane_point(Light light, vec3 position, vec3 direction) {
     const vec3 across = cross(direction, light.e2);
     const vec3 offset = position - light.v0;
-    return vec2(dot(offset, across), dot(direction, cross(offset, light.e1))) /
-           dot(light.e1, across);
+    return vec2(dot(offset, across), dot(direction, cross(offset, light.e1))) / dot(light.e1, across);
 }
 
 /// Draws a point on the light; `near` is near_light's. Radiance leaving `position` towards the
@@ -129,12 +117,9 @@ SHADER_FN vec2 light_plane_point(Light light, vec3 position, vec3 direction) {
 /// this light), if the point is visible.
 SHADER_FN LightSample sample_light(Light light, SphericalTriangle near, vec3 position, vec2 u) {
     vec2 weights;
-    if (near.solid_angle > 0.0f)
-        weights = sample_spherical_triangle(near, u);
-    else
-        weights = sample_triangle(u);
-    LightSample seen =
-        see_light_point(light, position, light.v0 + weights.x * light.e1 + weights.y * light.e2);
+    if (near.solid_angle > 0.0f) weights = sample_spherical_triangle(near, u);
+    else weights = sample_triangle(u);
+    LightSample seen = see_light_point(light, position, light.v0 + weights.x * light.e1 + weights.y * light.e2);
     if (near.solid_angle > 0.0f) {
         seen.geometry = near.solid_angle;
         seen.pdf = 1.0f / near.solid_angle;
@@ -148,13 +133,10 @@ SHADER_FN LightSample sample_light(Light light, vec3 position, vec2 u) {
 
 /// Density per steradian with which `sample_light` draws `point`; 0 where it never does.
 SHADER_FN float light_pdf(Light light, SphericalTriangle near, vec3 position, vec3 point) {
-    return near.solid_angle > 0.0f ? 1.0f / near.solid_angle
-                                   : see_light_point(light, position, point).pdf;
+    return near.solid_angle > 0.0f ? 1.0f / near.solid_angle : see_light_point(light, position, point).pdf;
 }
 
-SHADER_FN float light_pdf(Light light, vec3 position, vec3 point) {
-    return light_pdf(light, near_light(light, position), position, point);
-}
+SHADER_FN float light_pdf(Light light, vec3 position, vec3 point) { return light_pdf(light, near_light(light, position), position, point); }
 
 SHADER_END
 #endif

@@ -41,14 +41,10 @@ SHADER_FN vec3 color_map(float t) {
 }
 
 /// Counts from 1 to `most` on the colour map: logarithmic.
-SHADER_FN float count_on_scale(float count, float most) {
-    return log2(max(count, 1.0f)) / log2(most);
-}
+SHADER_FN float count_on_scale(float count, float most) { return log2(max(count, 1.0f)) / log2(most); }
 
 /// Ends of the scales; more looks as if it were as many. A leaf splits at about a 500th of the pixels with the default pt_oct_split.
-SHADER_FN float view_most_samples(uvec2 size) {
-    return max(float(size.x * size.y) / 128.0f, 16.0f);
-}
+SHADER_FN float view_most_samples(uvec2 size) { return max(float(size.x * size.y) / 128.0f, 16.0f); }
 SHADER_CONST float VIEW_MOST_LIGHTS = 2048.0f;
 SHADER_CONST float VIEW_MOST_BUCKETS = 64.0f;
 
@@ -60,9 +56,7 @@ SHADER_FN float density_on_scale(float density) {
 }
 
 /// Grey of a distance in map units: from white at the eye to black far away.
-SHADER_FN float view_depth_grey(float distance) {
-    return 1.0f / (1.0f + distance / 256.0f);
-}
+SHADER_FN float view_depth_grey(float distance) { return 1.0f / (1.0f + distance / 256.0f); }
 
 // Colours of classes, sRGB.
 SHADER_CONST vec3 VIEW_OFF = vec3(0.20f, 0.22f, 0.28f);        // there is nothing to show

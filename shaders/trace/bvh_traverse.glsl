@@ -13,9 +13,7 @@ SHADER_BEGIN
 /// next one first, closed by a one.
 SHADER_CONST uint BVH_PENDING_NONE = 1u;
 
-SHADER_FN bool bvh_pending_empty(uint pending) {
-    return (pending & 0xfcu) == 0u;
-}
+SHADER_FN bool bvh_pending_empty(uint pending) { return (pending & 0xfcu) == 0u; }
 
 /// The second to fourth of the sorted children as a pending word.
 SHADER_FN uint bvh_pending(uvec4 children, uint node) {
@@ -29,8 +27,7 @@ SHADER_FN uint bvh_pending(uvec4 children, uint node) {
 /// writes `hit` and returns true. Give hit.t = ray.t_max to start with. With `any_hit` the first
 /// hit found ends the walk, and only the return value is defined. `translucent` false promises that
 /// all triangles are opaque; `opacity` is the instance's, 0..255.
-SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool any_hit,
-                            bool translucent, uint opacity, INOUT(Hit) hit) {
+SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool any_hit, bool translucent, uint opacity, INOUT(Hit) hit) {
     vec3 inverse = bvh_reciprocal3(ray.direction);
     uint stack[BVH_MAX_DEPTH];
     uint stack_size = 0u;
@@ -50,10 +47,8 @@ SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool a
             if (translucent) {
                 uint first = bvh_faded(meta.y, opacity);
                 uint second = bvh_faded(meta.y >> 8, opacity);
-                if (!bvh_covered(first, pair.front_of_first, seed, instance, meta.x))
-                    pair.t.x = BVH_MISS;
-                if (!bvh_covered(second, pair.front_of_second, seed, instance, meta.x + 1u))
-                    pair.t.y = BVH_MISS;
+                if (!bvh_covered(first, pair.front_of_first, seed, instance, meta.x)) pair.t.x = BVH_MISS;
+                if (!bvh_covered(second, pair.front_of_second, seed, instance, meta.x + 1u)) pair.t.y = BVH_MISS;
             }
             float t = min(pair.t.x, pair.t.y);
             if (t < limit) {
@@ -65,8 +60,7 @@ SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool a
 
         // Go to the nearest child that is entered. What was pending before goes on the stack:
         // stored always, kept if need be, as a store that only some lanes do costs more.
-        uvec4 children =
-            bvh_sorted_children(a, b, c, meta, ray.origin, inverse, ray.t_min, limit, !any_hit);
+        uvec4 children = bvh_sorted_children(a, b, c, meta, ray.origin, inverse, ray.t_min, limit, !any_hit);
         bool down = children.x != BVH_NO_CHILD && !leaf;
         stack[stack_size] = pending;
         stack_size += down && !bvh_pending_empty(pending) ? 1u : 0u;
@@ -92,8 +86,7 @@ SHADER_FN bool bvh_traverse(uint root, Ray ray, uint seed, uint instance, bool a
     bool second = (nearest & 1u) != 0u;
     uvec4 meta = bvh_load_node(word + 3u);
     BvhPairHit pair =
-        bvh_pair_hit(bvh_load_node(word), bvh_load_node(word + 1u), bvh_load_node(word + 2u),
-                     ray.origin, ray.direction, 0.0f, BVH_MISS);
+        bvh_pair_hit(bvh_load_node(word), bvh_load_node(word + 1u), bvh_load_node(word + 2u), ray.origin, ray.direction, 0.0f, BVH_MISS);
     vec4 weights = pair.barycentrics;
     hit.t = limit;
     hit.primitive = meta.x + (second ? 1u : 0u);

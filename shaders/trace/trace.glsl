@@ -25,14 +25,10 @@ layout(constant_id = CONSTANT_EFFECTS) const bool HAS_EFFECTS = true;
 /// Closest hit in (ray.t_min, ray.t_max). Opaque triangles stop rays from both sides; translucent
 /// ones only from their front, with probability coverage / 255 decided by a hash of (seed,
 /// instance, primitive).
-bool trace_closest(Ray ray, uint seed, out Hit hit) {
-    return trace_backend(ray, seed, INSTANCE_LIT, false, hit);
-}
+bool trace_closest(Ray ray, uint seed, out Hit hit) { return trace_backend(ray, seed, INSTANCE_LIT, false, hit); }
 
 /// The same for a camera ray, of what has a flag of `mask`: INSTANCE_SEEN or INSTANCE_FRONT.
-bool trace_camera(Ray ray, uint seed, uint mask, out Hit hit) {
-    return trace_backend(ray, seed, mask, false, hit);
-}
+bool trace_camera(Ray ray, uint seed, uint mask, out Hit hit) { return trace_backend(ray, seed, mask, false, hit); }
 
 /// True if anything stops the ray in (ray.t_min, ray.t_max).
 bool trace_occluded(Ray ray, uint seed) {

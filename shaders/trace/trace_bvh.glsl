@@ -16,29 +16,16 @@
 
 layout(set = SET_SCENE, binding = BINDING_BVH_NODES) uniform utextureBuffer bvh_nodes;
 
-uvec4 bvh_load_node(uint word) {
-    return texelFetch(bvh_nodes, int(word));
-}
+uvec4 bvh_load_node(uint word) { return texelFetch(bvh_nodes, int(word)); }
 #else
-layout(set = SET_SCENE, binding = BINDING_BVH_NODES, scalar) restrict readonly buffer BvhNodes {
-    uvec4 bvh_nodes[];
-};
+layout(set = SET_SCENE, binding = BINDING_BVH_NODES, scalar) restrict readonly buffer BvhNodes { uvec4 bvh_nodes[]; };
 
-uvec4 bvh_load_node(uint word) {
-    return bvh_nodes[word];
-}
+uvec4 bvh_load_node(uint word) { return bvh_nodes[word]; }
 #endif
-layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES,
-       scalar) restrict readonly buffer BvhTriangles {
-    BvhTriangle bvh_triangles[];
-};
-layout(set = SET_SCENE, binding = BINDING_TOP_NODES, scalar) restrict readonly buffer TopNodes {
-    TopNode top_nodes[];
-};
+layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES, scalar) restrict readonly buffer BvhTriangles { BvhTriangle bvh_triangles[]; };
+layout(set = SET_SCENE, binding = BINDING_TOP_NODES, scalar) restrict readonly buffer TopNodes { TopNode top_nodes[]; };
 
-BvhTriangle bvh_load_triangle(uint index) {
-    return bvh_triangles[index];
-}
+BvhTriangle bvh_load_triangle(uint index) { return bvh_triangles[index]; }
 
 #include "bvh_traverse.glsl"
 
@@ -58,16 +45,14 @@ bool trace_backend(Ray ray, uint seed, uint mask, bool any_hit, out Hit hit) {
     bool found = false;
     while (true) {
         const uint opacity = HAS_EFFECTS ? bvh_opacity(flags) : 255u;
-        if ((!HAS_EFFECTS || (flags & mask) != 0u) &&
-            bvh_traverse(root, local, seed, instance, any_hit, HAS_TRANSLUCENT, opacity, hit)) {
+        if ((!HAS_EFFECTS || (flags & mask) != 0u) && bvh_traverse(root, local, seed, instance, any_hit, HAS_TRANSLUCENT, opacity, hit)) {
             found = true;
             if (any_hit) return true;
         }
         // Find the next instance whose box the ray enters before the nearest hit so far.
         bool leaf = false;
         while (!leaf && next != TOP_END) {
-            bool enters = bvh_box_entry(top_nodes[next].lower, top_nodes[next].upper, ray.origin,
-                                        inverse, ray.t_min, hit.t) < 3e38;
+            bool enters = bvh_box_entry(top_nodes[next].lower, top_nodes[next].upper, ray.origin, inverse, ray.t_min, hit.t) < 3e38;
             if (HAS_EFFECTS && enters && top_nodes[next].instance != NONE) {
                 flags = top_nodes[next].flags;
                 enters = (flags & mask) != 0u;

@@ -8,16 +8,10 @@
 
 #extension GL_EXT_ray_query : require
 
-layout(set = SET_SCENE,
-       binding = BINDING_ACCELERATION_STRUCTURE) uniform accelerationStructureEXT top_structure;
-layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES,
-       scalar) restrict readonly buffer BvhTriangles {
-    BvhTriangle bvh_triangles[];
-};
+layout(set = SET_SCENE, binding = BINDING_ACCELERATION_STRUCTURE) uniform accelerationStructureEXT top_structure;
+layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES, scalar) restrict readonly buffer BvhTriangles { BvhTriangle bvh_triangles[]; };
 
-BvhTriangle bvh_load_triangle(uint index) {
-    return bvh_triangles[index];
-}
+BvhTriangle bvh_load_triangle(uint index) { return bvh_triangles[index]; }
 
 // How the structures are numbered: the n-th instance of the top level is Instance[n], its custom
 // index is its model's first triangle, and a model's triangles keep their order in all geometries.
@@ -31,28 +25,21 @@ bool trace_backend(Ray ray, uint seed, uint mask, bool any_hit, out Hit hit) {
     uint flags = any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT;
     if (!HAS_TRANSLUCENT) flags |= gl_RayFlagsOpaqueEXT;
     rayQueryEXT query;
-    rayQueryInitializeEXT(query, top_structure, flags, mask, ray.origin, ray.t_min, ray.direction,
-                          ray.t_max);
+    rayQueryInitializeEXT(query, top_structure, flags, mask, ray.origin, ray.t_min, ray.direction, ray.t_max);
     // Only translucent triangles come up here; the device settles opaque ones alone.
     while (rayQueryProceedEXT(query)) {
         if (!HAS_TRANSLUCENT) continue;
-        uint primitive = rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) +
-                         rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
+        uint primitive =
+            rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) + rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
         bool front = rayQueryGetIntersectionFrontFaceEXT(query, false);
         uint instance = rayQueryGetIntersectionInstanceIdEXT(query, false);
         uint coverage = bvh_triangles[primitive].flags;
-        if (HAS_EFFECTS)
-            coverage = bvh_faded(
-                coverage,
-                rayQueryGetIntersectionInstanceShaderBindingTableRecordOffsetEXT(query, false));
-        if (bvh_covered(coverage, front, seed, instance, primitive))
-            rayQueryConfirmIntersectionEXT(query);
+        if (HAS_EFFECTS) coverage = bvh_faded(coverage, rayQueryGetIntersectionInstanceShaderBindingTableRecordOffsetEXT(query, false));
+        if (bvh_covered(coverage, front, seed, instance, primitive)) rayQueryConfirmIntersectionEXT(query);
     }
-    if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)
-        return false;
+    if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return false;
     hit.t = rayQueryGetIntersectionTEXT(query, true);
-    hit.primitive = rayQueryGetIntersectionInstanceCustomIndexEXT(query, true) +
-                    rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
+    hit.primitive = rayQueryGetIntersectionInstanceCustomIndexEXT(query, true) + rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
     hit.instance = rayQueryGetIntersectionInstanceIdEXT(query, true);
     hit.barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, true);
     hit.front = rayQueryGetIntersectionFrontFaceEXT(query, true);

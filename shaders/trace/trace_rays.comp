@@ -13,18 +13,10 @@ layout(local_size_x = 64) in;
 /// False: the closest hit of each ray. True: only whether anything stops it.
 layout(constant_id = CONSTANT_ANY_HIT) const bool ANY_HIT = false;
 
-layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer Rays {
-    Ray rays[];
-};
-layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict writeonly buffer Answers {
-    RayAnswer answers[];
-};
-layout(set = SET_TECHNIQUE, binding = 2, scalar) restrict writeonly buffer Occluded {
-    uint occluded[];
-};
-layout(push_constant) uniform Push {
-    uint ray_count;
-};
+layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer Rays { Ray rays[]; };
+layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict writeonly buffer Answers { RayAnswer answers[]; };
+layout(set = SET_TECHNIQUE, binding = 2, scalar) restrict writeonly buffer Occluded { uint occluded[]; };
+layout(push_constant) uniform Push { uint ray_count; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
@@ -35,6 +27,5 @@ void main() {
     }
     Hit hit;
     trace_closest(rays[index], index, hit);
-    answers[index] = RayAnswer(hit.t, hit.primitive, hit.instance, hit.front ? 1u : 0u,
-                               hit.barycentrics);
+    answers[index] = RayAnswer(hit.t, hit.primitive, hit.instance, hit.front ? 1u : 0u, hit.barycentrics);
 }

@@ -11,6 +11,4 @@ layout(local_size_x = 1) in;
 layout(set = 0, binding = 0, scalar) uniform Cvars { GpuSettings cvars; };
 layout(set = 0, binding = 1, scalar) buffer Result { float result; };
 
-void main() {
-    result = cvars.pt_sky_scale + float(cvars.pt_seed) + float(cvars.pt_view);
-}
+void main() { result = cvars.pt_sky_scale + float(cvars.pt_seed) + float(cvars.pt_view); }

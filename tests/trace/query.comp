@@ -9,15 +9,9 @@
 
 layout(local_size_x = 64) in;
 
-layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer Rays {
-    Ray rays[];
-};
-layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict writeonly buffer Answers {
-    TraceAnswer answers[];
-};
-layout(push_constant) uniform Push {
-    uint ray_count;
-};
+layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer Rays { Ray rays[]; };
+layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict writeonly buffer Answers { TraceAnswer answers[]; };
+layout(push_constant) uniform Push { uint ray_count; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;

@@ -50,8 +50,7 @@ void count_draw(LightChoice choice, uint index, uint row) {
 void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
     const bool counts = path_index == 1u;
     const bool chooses = path_index != 3u;
-    Random random = random_begin(pixel, gl_GlobalInvocationID.z + path_index * STREAMS_APART,
-                                 uint(frame.settings.pt_seed));
+    Random random = random_begin(pixel, gl_GlobalInvocationID.z + path_index * STREAMS_APART, uint(frame.settings.pt_seed));
     uint first = 0u;
     uint end = path_count;
     if (!chooses) {
@@ -72,8 +71,7 @@ void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
         uint outcome;
         sum += sampled_radiance(surface, choice, u, seed, outcome);
     }
-    if (!counts)
-        means[gl_GlobalInvocationID.z * frame.size.x * frame.size.y + index] = chooses ? sum / float(path_count) : sum;
+    if (!counts) means[gl_GlobalInvocationID.z * frame.size.x * frame.size.y + index] = chooses ? sum / float(path_count) : sum;
 }
 
 void main() {
