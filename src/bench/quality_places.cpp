@@ -24,7 +24,7 @@ std::vector<client::StartPlace> all_starts(const Bsp& bsp) {
     for (const Entity& entity : bsp.entities) {
         if (!equal_nocase(entity.classname(), "info_player_deathmatch")) continue;
         const glm::vec3 eye = entity.get_vec3("origin") + glm::vec3(0.0f, 0.0f, eye_height);
-        if (eye != starts.front().origin) starts.push_back({eye, client::entity_angles(entity)});
+        if (eye != starts.front().origin) starts.push_back({eye, entity.get_model_angles()});
     }
     return starts;
 }

@@ -154,6 +154,18 @@ glm::vec3 Entity::get_vec3(std::string_view key, glm::vec3 fallback) const {
     return numbers ? glm::vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]) : fallback;
 }
 
+glm::vec3 Entity::get_angles() const {
+    return has("angles") ? get_vec3("angles") : glm::vec3(0.0f, get_float("angle"), 0.0f);
+}
+
+glm::vec3 Entity::get_model_angles() const {
+    if (has("angles")) return get_vec3("angles");
+    const float angle = get_float("angle");
+    if (angle == -1.0f) return {-90.0f, 0.0f, 0.0f};
+    if (angle == -2.0f) return {90.0f, 0.0f, 0.0f};
+    return {0.0f, angle, 0.0f};
+}
+
 std::vector<Entity> parse_entities(std::string_view name, std::string_view text) {
     std::vector<Entity> entities;
     Tokenizer tokens(name, text);

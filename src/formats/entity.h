@@ -28,6 +28,10 @@ struct Entity {
     float get_float(std::string_view key, float fallback = 0.0f) const;
     int get_int(std::string_view key, int fallback = 0) const;
     glm::vec3 get_vec3(std::string_view key, glm::vec3 fallback = glm::vec3(0.0f)) const;
+    /// The key "angles" (pitch, yaw, roll), or "angle" as a yaw.
+    glm::vec3 get_angles() const;
+    /// The same of a model or a view: an `angle` of -1 looks up, -2 down, as in Quake.
+    glm::vec3 get_model_angles() const;
 
     std::string classname() const { return get_string("classname"); }
 };

@@ -16,6 +16,13 @@ void Actor::think_in(float seconds) {
     think_at_ = game_.ticks() + ticks_of(seconds);
 }
 
+void Actor::think_after(float seconds) {
+    if (seconds > 0.0f)
+        think_in(seconds);
+    else
+        think();
+}
+
 bool Actor::is_thinking() const {
     return think_at_ > game_.ticks();
 }

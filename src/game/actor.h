@@ -52,13 +52,14 @@ protected:
     Game& game() const { return game_; }
     /// Calls think() after a time; a later call replaces an earlier one.
     void think_in(float seconds);
+    /// The same, at once without a time.
+    void think_after(float seconds);
     void forget_thought() { think_at_ = -1; }
     bool is_thinking() const;
     /// Fires what the keys target, killtarget, delay and message say.
     void use_targets();
     /// A number in [low, high]; `fallback` where the key is missing or 0, as in the original.
     float number_key(std::string_view key, float fallback, float low, float high) const;
-    void set_flags(uint32_t flags) { flags_ = flags; }
 
 private:
     Game& game_;

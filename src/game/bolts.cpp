@@ -19,18 +19,14 @@ constexpr glm::vec3 muzzle(24.0f, 8.0f, -8.0f);
 
 } // namespace
 
-float BoltHit::brightness() const {
-    return static_cast<float>(ticks_left) / static_cast<float>(hit_ticks);
-}
-
 void Bolts::tick(Game& game, const glm::vec3& eye, const glm::vec3& angles, bool attack) {
-    std::erase_if(hits_, [](BoltHit& hit) { return --hit.ticks_left <= 0; });
+    hits_.tick();
     std::erase_if(bolts_, [&](Bolt& bolt) {
         bolt.before = bolt.now;
         bolt.now += player::tick_s * bolt.velocity;
         const Trace way = game.shoot(bolt.before, bolt.now, damage);
         if (way.hit() && (way.surface_flags & SURF_SKY) == 0)
-            hits_.push_back({bolt.id, way.end + light_gap * way.normal, hit_ticks});
+            hits_.add(bolt.id, way.end + light_gap * way.normal, hit_ticks);
         return way.hit() || --bolt.ticks_left <= 0;
     });
 

@@ -3,10 +3,7 @@
 // seconds at most, damage 10, a shot every half second, as in the original.
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include <cstdint>
-#include <vector>
+#include "game/glows.h"
 
 namespace vigil {
 
@@ -19,25 +16,18 @@ struct Bolt {
     int ticks_left = 0;
 };
 
-/// Where a bolt hit; it fades from 1 to 0.
-struct BoltHit {
-    uint32_t id = 0; ///< the bolt's
-    glm::vec3 place{0.0f};
-    int ticks_left = 0;
-    float brightness() const;
-};
-
 class Bolts {
 public:
     /// One tick: moves and hits, then shoots from `eye` along `angles` if `attack` is down.
     void tick(Game& game, const glm::vec3& eye, const glm::vec3& angles, bool attack);
 
     const std::vector<Bolt>& flying() const { return bolts_; }
-    const std::vector<BoltHit>& hits() const { return hits_; }
+    /// Where bolts hit a moment ago, by the bolts' ids.
+    const std::vector<Glow>& hits() const { return hits_.glowing(); }
 
 private:
     std::vector<Bolt> bolts_;
-    std::vector<BoltHit> hits_;
+    Glows hits_;
     uint32_t next_id_ = 0;
     int pause_ticks_ = 0;
 };

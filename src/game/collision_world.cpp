@@ -8,6 +8,9 @@
 
 namespace vigil {
 
+namespace {
+
+/// Of a model of the level at a place, around all its points.
 Box placed_bounds(const BspModel& model, const Placement& place) {
     if (place.angles == glm::vec3(0.0f))
         return {model.mins + place.origin, model.maxs + place.origin};
@@ -17,6 +20,8 @@ Box placed_bounds(const BspModel& model, const Placement& place) {
     const glm::vec3 half = reach * (0.5f * (model.maxs - model.mins));
     return {middle - half, middle + half};
 }
+
+} // namespace
 
 bool boxes_touch(const Box& a, const Box& b) {
     return glm::all(glm::lessThanEqual(a.mins, b.maxs)) &&

@@ -59,9 +59,6 @@ private:
     std::vector<Obstacle> obstacles_;
 };
 
-/// Bounds of a model of the level at a place, around all its points.
-Box placed_bounds(const BspModel& model, const Placement& place);
-
 /// True where two boxes share a point.
 bool boxes_touch(const Box& a, const Box& b);
 

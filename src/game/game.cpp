@@ -22,6 +22,7 @@ namespace {
 constexpr int most_uses_per_tick = 4096;
 constexpr int most_depth = 64;
 constexpr size_t most_delayed = 65536;
+constexpr int explosion_ticks = 3 * player::ticks_per_second / 2; // as the original's
 
 } // namespace
 
@@ -217,7 +218,7 @@ void Game::hurt_player(float damage) {
 }
 
 void Game::explode(const glm::vec3& place, float damage) {
-    explosions_.add(place);
+    explosions_.add(explosion_count_++, place, explosion_ticks);
     const float left = damage - 0.5f * glm::distance(place, player_.origin);
     if (left <= 0.0f || !player_present_) return;
     if (!collision_.trace(place, player_.origin, {}, mask_shot & ~CONTENTS_MONSTER).hit())

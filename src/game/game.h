@@ -9,7 +9,7 @@
 #include "game/area_portals.h"
 #include "game/bolts.h"
 #include "game/collision_world.h"
-#include "game/explosions.h"
+#include "game/glows.h"
 #include "game/player_movement.h"
 #include "level/level.h"
 
@@ -72,7 +72,8 @@ public:
 
     std::vector<MovedModel> moved_models() const;
     const Bolts& bolts() const { return bolts_; }
-    const Explosions& explosions() const { return explosions_; }
+    /// What has burst a moment ago; ids count from 0 in the level.
+    const Glows& explosions() const { return explosions_; }
 
     /// A player has 100; at 0 it starts anew at the start of the level.
     static constexpr float full_health = 100.0f;
@@ -132,7 +133,8 @@ private:
     std::vector<Delayed> delayed_;
     std::map<int, std::string> light_styles_;
     Bolts bolts_;
-    Explosions explosions_;
+    Glows explosions_;
+    uint32_t explosion_count_ = 0;
     glm::vec3 start_;
     float health_ = full_health;
     int deaths_ = 0;

@@ -25,8 +25,7 @@ int brush_model_of(const Entity& keys, size_t model_count) {
 }
 
 glm::vec3 travel_direction(const Entity& keys) {
-    const glm::vec3 angles = keys.has("angles") ? keys.get_vec3("angles")
-                                                : glm::vec3(0.0f, keys.get_float("angle"), 0.0f);
+    const glm::vec3 angles = keys.get_angles();
     if (angles == glm::vec3(0.0f, -1.0f, 0.0f)) return {0.0f, 0.0f, 1.0f};
     if (angles == glm::vec3(0.0f, -2.0f, 0.0f)) return {0.0f, 0.0f, -1.0f};
     return view_axes(angles).forward;
@@ -51,7 +50,10 @@ glm::vec3 origin_of(const Entity& keys) {
                       glm::vec3(bsp_max_coordinate));
 }
 
-Mover::Mover(Game& game, const Entity& keys, int number) : Actor(game, keys, number) {
+Mover::Mover(Game& game, const Entity& keys, int number, float usual_health)
+    : Actor(game, keys, number),
+      health_(number_key("health", usual_health, std::min(usual_health, 1.0f), 1e9f)),
+      health_left_(health_) {
     const int model = brush_model_of(keys, game.bsp().models.size());
     if (model < 0)
         fail("it has no brush model of the level (\"{}\")",
@@ -65,6 +67,18 @@ Mover::Mover(Game& game, const Entity& keys, int number) : Actor(game, keys, num
 
 const Placement& Mover::place() const {
     return game().collision().obstacle(obstacle_).place;
+}
+
+const BspModel& Mover::model() const {
+    return game().bsp().models[game().collision().obstacle(obstacle_).model];
+}
+
+bool Mover::breaks(float damage) {
+    if (!is_breakable()) return false;
+    health_left_ -= damage;
+    if (health_left_ > 0.0f) return false;
+    mend();
+    return true;
 }
 
 void Mover::put(const Placement& place) {

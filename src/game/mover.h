@@ -18,8 +18,8 @@ struct GlideSpeed {
 class Mover : public Actor {
 public:
     /// Puts the model of the key `model` ("*N") into the world, solid, at the key `origin`. Throws
-    /// Error where the level has no such model.
-    Mover(Game& game, const Entity& keys, int number);
+    /// Error where the level has no such model. `usual_health` is that without the key.
+    Mover(Game& game, const Entity& keys, int number, float usual_health = 0.0f);
 
     void tick() override;
     void remove() override;
@@ -28,9 +28,15 @@ public:
     /// Drawn; what is not drawn is not solid either.
     bool shown() const { return shown_; }
     bool gliding() const { return gliding_; }
+    const BspModel& model() const;
     size_t obstacle() const { return obstacle_; }
 
 protected:
+    /// Takes a shot's damage from the key `health`; true where that was the last of it, and then it
+    /// is whole again. What has no health never breaks.
+    bool breaks(float damage);
+    void mend() { health_left_ = health_; }
+    bool is_breakable() const { return health_ > 0.0f; }
     /// Jumps there; pushes nobody.
     void put(const Placement& place);
     void show(bool shown);
@@ -49,6 +55,7 @@ private:
     void advance_glide();
 
     size_t obstacle_ = 0;
+    float health_, health_left_;
     bool shown_ = true;
     glm::vec3 spin_{0.0f};
 

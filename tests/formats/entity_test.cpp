@@ -63,6 +63,21 @@ TEST(Entities, GettersFallBackOnMissingOrUnusableValues) {
     EXPECT_EQ(e.get_string("empty", "x"), "");
 }
 
+TEST(Entities, AnglesAreThreeOrAYaw) {
+    const auto entities = parse_entities(
+        "t",
+        R"({"angles" "10 20 30" "angle" "90"} {"angle" "90"} {"angle" "-1"} {"angle" "-2"} {})");
+    EXPECT_EQ(entities[0].get_angles(), glm::vec3(10, 20, 30));
+    EXPECT_EQ(entities[1].get_angles(), glm::vec3(0, 90, 0));
+    EXPECT_EQ(entities[2].get_angles(), glm::vec3(0, -1, 0));
+    EXPECT_EQ(entities[4].get_angles(), glm::vec3(0));
+    EXPECT_EQ(entities[0].get_model_angles(), glm::vec3(10, 20, 30));
+    EXPECT_EQ(entities[1].get_model_angles(), glm::vec3(0, 90, 0));
+    EXPECT_EQ(entities[2].get_model_angles(), glm::vec3(-90, 0, 0));
+    EXPECT_EQ(entities[3].get_model_angles(), glm::vec3(90, 0, 0));
+    EXPECT_EQ(entities[4].get_model_angles(), glm::vec3(0));
+}
+
 TEST(Entities, FaultsAreNamedWithTheirLine) {
     const auto refuse = [](std::string_view part, std::string_view text) {
         expect_fault("x.bsp", part, [&] { parse(text); });

@@ -182,6 +182,26 @@ TEST(Hurt, KillsAndThePlayerStartsAnew) {
     EXPECT_NEAR(play.game.player().origin.x, 0.0f, 1.0f);
 }
 
+TEST(Button, ShotOnItsWayBackCanBeShotAgain) {
+    BoxLevel level = BoxLevel::with_floor();
+    const uint32_t button = level.add_model({{100, -16, 0}, {108, 16, 64}});
+    level.add_entity({{"classname", "func_button"},
+                      {"model", model(button)},
+                      {"health", "10"},
+                      {"speed", "4"},
+                      {"wait", "1"}});
+    Play play(level);
+    play.game.actor(1)->hurt(10.0f);
+    play.run(3.0f); // in after 1.5 s, waits a second
+    EXPECT_NEAR(play.place(1).x, 4.0f, 0.1f);
+    play.game.actor(1)->hurt(10.0f);
+    play.run(2.0f);
+    EXPECT_EQ(play.place(1), glm::vec3(0)); // only what is out can be pressed
+    play.game.actor(1)->hurt(10.0f);
+    play.run(1.0f);
+    EXPECT_NEAR(play.place(1).x, 4.0f, 0.1f);
+}
+
 TEST(Explosion, GlowsFadesAndHurtsWhoIsNear) {
     BoxLevel level = BoxLevel::with_floor();
     const uint32_t crate = level.add_model({{300, -16, 0}, {332, 16, 32}});
@@ -197,7 +217,7 @@ TEST(Explosion, GlowsFadesAndHurtsWhoIsNear) {
     Play play(level);
     play.game.actor(1)->hurt(10.0f);
     ASSERT_EQ(play.game.explosions().glowing().size(), 1u);
-    const Explosion first = play.game.explosions().glowing().front();
+    const Glow first = play.game.explosions().glowing().front();
     EXPECT_EQ(first.place, glm::vec3(316, 0, 16));
     EXPECT_EQ(first.brightness(), 1.0f);
     EXPECT_NEAR(play.game.health(), 100.0f - (200.0f - 0.5f * 316.0f), 0.5f);

@@ -76,14 +76,6 @@ StartPlace middle_of(const Bsp& bsp) {
 
 } // namespace
 
-glm::vec3 entity_angles(const Entity& entity) {
-    if (entity.has("angles")) return entity.get_vec3("angles");
-    const float angle = entity.get_float("angle");
-    if (angle == -1.0f) return {-90.0f, 0.0f, 0.0f};
-    if (angle == -2.0f) return {90.0f, 0.0f, 0.0f};
-    return {0.0f, angle, 0.0f};
-}
-
 LevelEntities::LevelEntities(const Bsp& bsp, const RegisterModel& register_model) {
     std::map<std::string, int> unknown;
     for (size_t i = 1; i < bsp.entities.size(); ++i) {
@@ -126,7 +118,7 @@ void LevelEntities::add_brush_model(const Entity& source, int number,
     if (is_invisible_class(source.classname())) return;
     if (!add(source, number, *source.find("model"), register_model)) return;
     if (starts_hidden(source)) entities_.back().model = -1;
-    if (!travels(source.classname())) entities_.back().angles = entity_angles(source);
+    if (!travels(source.classname())) entities_.back().angles = source.get_model_angles();
     if (const std::string* target = source.find("targetname")) {
         targets_.emplace(*target, entities_.size() - 1);
     }
@@ -136,7 +128,7 @@ void LevelEntities::add_misc_model(const Entity& source, int number,
                                    const RegisterModel& register_model) {
     if (!add(source, number, *source.find("model"), register_model)) return;
     refresh::Entity& entity = entities_.back();
-    entity.angles = entity_angles(source);
+    entity.angles = source.get_model_angles();
     entity.skin = std::max(0, source.get_int("skin"));
     entity.frame = entity.old_frame = std::max(0, source.get_int("frame"));
 }
@@ -175,7 +167,7 @@ StartPlace find_start(const Bsp& bsp) {
             if (!equal_nocase(entity.classname(), wanted)) continue;
             const glm::vec3 eye =
                 entity.get_vec3("origin") + glm::vec3(0.0f, 0.0f, player::standing_eye);
-            return {eye, entity_angles(entity)};
+            return {eye, entity.get_model_angles()};
         }
     }
     return middle_of(bsp);

@@ -57,9 +57,6 @@ private:
     std::multimap<std::string, size_t, std::less<>> targets_; // into entities_
 };
 
-/// Pitch, yaw and roll of an entity: `angles`, or the yaw `angle` (-1 up and -2 down, as in Quake).
-glm::vec3 entity_angles(const Entity& entity);
-
 /// The eye where a single player starts (22 units over info_player_start), else in a deathmatch,
 /// else in the middle of the level: in the leaf with a cluster that is nearest to it.
 struct StartPlace {

@@ -129,11 +129,11 @@ void Play::show_lights(Session& session, float fraction) const {
         session.set_dynamic_light(dynamic_light(first_bolt_light + (bolt.id & light_id_mask),
                                                 glm::mix(bolt.before, bolt.now, fraction),
                                                 bolt_light));
-    for (const BoltHit& hit : game_->bolts().hits())
+    for (const Glow& hit : game_->bolts().hits())
         session.set_dynamic_light(
             dynamic_light(first_hit_light + (hit.id & light_id_mask), hit.place,
                           {hit_light.radius * hit.brightness(), hit_light.color}));
-    for (const Explosion& explosion : game_->explosions().glowing())
+    for (const Glow& explosion : game_->explosions().glowing())
         session.set_dynamic_light(dynamic_light(
             first_explosion_light + (explosion.id & light_id_mask), explosion.place,
             {explosion_light.radius * explosion.brightness(), explosion_light.color}));

@@ -3,7 +3,6 @@
 // nobody has to shoot opens by itself before who comes within 60 units.
 #include "game/actors/door.h"
 
-#include "game/actors/spawn_table.h"
 #include "game/game.h"
 
 #include <glm/glm.hpp>
@@ -34,10 +33,18 @@ Box grown_to(const Box& a, const Box& b) {
 
 } // namespace
 
-Door::Door(Game& game, const Entity& keys, int number, const Placement& open)
+Door::Door(Game& game, const Entity& keys, int number, Opens opens)
     : Mover(game, keys, number), closed_(place()),
-      open_(open), speed_{number_key("speed", 100.0f, 1.0f, 1e5f)},
-      wait_s_(number_key("wait", 3.0f, -1.0f, 1e6f)), health_(keys.get_float("health")) {
+      open_(place()), speed_{number_key("speed", 100.0f, 1.0f, 1e5f)},
+      wait_s_(number_key("wait", 3.0f, -1.0f, 1e6f)) {
+    if (opens == Opens::Slides) {
+        constexpr float usual_lip = 8.0f;
+        open_.origin += sliding_way(model(), keys, usual_lip);
+    } else {
+        const float distance = number_key("distance", 90.0f, -3600.0f, 3600.0f);
+        const size_t axis = has_flag(door_flag::x_axis) ? 2 : has_flag(door_flag::y_axis) ? 0 : 1;
+        open_.angles[axis] = has_flag(door_flag::reverse) ? -distance : distance;
+    }
     if (has_flag(door_flag::start_open)) {
         std::swap(closed_, open_);
         put(closed_);
@@ -75,11 +82,10 @@ void Door::begin() {
         shortest = std::min(shortest, way(*door));
     const float own_speed = speed_.speed;
     bool shot_open = false, named = false;
-    Box bounds =
-        placed_bounds(game().bsp().models[game().collision().obstacle(obstacle()).model], place());
+    Box bounds = game().collision().bounds(obstacle());
     for (Door* door : team_) {
         if (shortest > 0.0f) door->speed_.speed = own_speed * way(*door) / shortest;
-        shot_open |= door->health_ > 0.0f;
+        shot_open |= door->is_breakable();
         named |= !door->targetname().empty();
         bounds = grown_to(bounds, game().collision().bounds(door->obstacle()));
     }
@@ -111,11 +117,7 @@ void Door::use() {
 }
 
 void Door::hurt(float damage) {
-    if (health_ <= 0.0f) return;
-    health_ -= damage;
-    if (health_ > 0.0f) return;
-    health_ = keys().get_float("health");
-    use();
+    if (breaks(damage)) use();
 }
 
 void Door::open_up() {
@@ -160,28 +162,6 @@ void Door::blocked() {
         else
             door->close();
     }
-}
-
-std::unique_ptr<Actor> spawn_door(Game& game, const Entity& keys, int number) {
-    Placement open{origin_of(keys), glm::vec3(0.0f)};
-    const int model = brush_model_of(keys, game.bsp().models.size());
-    if (model >= 0) {
-        constexpr float usual_lip = 8.0f;
-        open.origin += sliding_way(game.bsp().models[static_cast<size_t>(model)], keys, usual_lip);
-    }
-    return std::make_unique<Door>(game, keys, number, open);
-}
-
-std::unique_ptr<Actor> spawn_rotating_door(Game& game, const Entity& keys, int number) {
-    Placement open{origin_of(keys), glm::vec3(0.0f)};
-    const auto flags = static_cast<uint32_t>(keys.get_int("spawnflags"));
-    const float wanted = keys.get_float("distance");
-    const float distance = wanted == 0.0f ? 90.0f : glm::clamp(wanted, -3600.0f, 3600.0f);
-    const size_t axis = (flags & door_flag::x_axis) != 0   ? 2
-                        : (flags & door_flag::y_axis) != 0 ? 0
-                                                           : 1;
-    open.angles[axis] = (flags & door_flag::reverse) != 0 ? -distance : distance;
-    return std::make_unique<Door>(game, keys, number, open);
 }
 
 } // namespace vigil

@@ -12,9 +12,9 @@ namespace vigil {
 class Door : public Mover {
 public:
     enum class State { Closed, Opening, Open, Closing };
+    enum class Opens { Slides, Turns };
 
-    /// `open` is where it goes from where it stands.
-    Door(Game& game, const Entity& keys, int number, const Placement& open);
+    Door(Game& game, const Entity& keys, int number, Opens opens);
 
     void begin() override;
     void think() override;
@@ -40,7 +40,6 @@ private:
     Placement closed_, open_;
     GlideSpeed speed_;
     float wait_s_;
-    float health_;
     State state_ = State::Closed;
     Door* leader_ = this;
     std::vector<Door*> team_; ///< of the leader: all, itself first

@@ -2,6 +2,11 @@
 #include "game/actors/spawn_table.h"
 
 #include "common/ascii_case.h"
+#include "game/actors/door.h"
+#include "game/actors/gliders.h"
+#include "game/actors/solids.h"
+#include "game/actors/targets.h"
+#include "game/actors/triggers.h"
 
 #include <algorithm>
 
@@ -9,34 +14,40 @@ namespace vigil {
 
 namespace {
 
+/// `more`: what the constructor of T takes after the usual three.
+template <typename T, auto... more>
+std::unique_ptr<Actor> spawn(Game& game, const Entity& keys, int number) {
+    return std::make_unique<T>(game, keys, number, more...);
+}
+
 constexpr SpawnRow rows[] = {
-    {"func_areaportal", spawn_area_portal},
-    {"func_button", spawn_button},
-    {"func_conveyor", spawn_conveyor},
-    {"func_door", spawn_door},
-    {"func_door_rotating", spawn_rotating_door},
-    {"func_door_secret", spawn_secret_door},
-    {"func_explosive", spawn_explosive},
-    {"func_object", spawn_object},
-    {"func_plat", spawn_plat},
-    {"func_rotating", spawn_rotating},
-    {"func_timer", spawn_timer},
-    {"func_train", spawn_train},
-    {"func_wall", spawn_wall},
-    {"func_water", spawn_door},
-    {"light", spawn_light},
-    {"misc_teleporter", spawn_teleporter},
-    {"target_explosion", spawn_target_explosion},
-    {"target_lightramp", spawn_light_ramp},
-    {"trigger_always", spawn_trigger_always},
-    {"trigger_counter", spawn_counter},
-    {"trigger_hurt", spawn_hurt},
-    {"trigger_multiple", spawn_trigger_multiple},
-    {"trigger_once", spawn_trigger_once},
-    {"trigger_push", spawn_push},
-    {"trigger_relay", spawn_relay},
-    {"trigger_secret", spawn_trigger_once}, // of Quake's levels
-    {"trigger_teleport", spawn_trigger_teleport},
+    {"func_areaportal", spawn<actors::AreaPortal>},
+    {"func_button", spawn<actors::Button>},
+    {"func_conveyor", spawn<actors::Conveyor>},
+    {"func_door", spawn<Door, Door::Opens::Slides>},
+    {"func_door_rotating", spawn<Door, Door::Opens::Turns>},
+    {"func_door_secret", spawn<actors::SecretDoor>},
+    {"func_explosive", spawn<actors::Explosive>},
+    {"func_object", spawn<actors::Object>},
+    {"func_plat", spawn<actors::Plat>},
+    {"func_rotating", spawn<actors::Rotating>},
+    {"func_timer", spawn<actors::Timer>},
+    {"func_train", spawn<actors::Train>},
+    {"func_wall", spawn<actors::Wall>},
+    {"func_water", spawn<Door, Door::Opens::Slides>},
+    {"light", spawn<actors::Light>},
+    {"misc_teleporter", spawn<actors::Pad>},
+    {"target_explosion", spawn<actors::TargetExplosion>},
+    {"target_lightramp", spawn<actors::LightRamp>},
+    {"trigger_always", spawn<actors::Always>},
+    {"trigger_counter", spawn<actors::Counter>},
+    {"trigger_hurt", spawn<actors::Hurt>},
+    {"trigger_multiple", spawn<actors::Trigger, actors::Times::Many>},
+    {"trigger_once", spawn<actors::Trigger, actors::Times::Once>},
+    {"trigger_push", spawn<actors::Push>},
+    {"trigger_relay", spawn<actors::Relay>},
+    {"trigger_secret", spawn<actors::Trigger, actors::Times::Once>}, // of Quake's levels
+    {"trigger_teleport", spawn<actors::TeleportTrigger>},
     // Places that others name, lights that only the compiler and the renderer know, and silence.
     {"func_group", nullptr},
     {"info_intermission", nullptr},
