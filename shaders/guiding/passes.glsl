@@ -9,30 +9,30 @@
 #include "shared/octree.h"
 #include "shared/scene_types.h"
 
-layout(set = 0, binding = 0, scalar) restrict readonly buffer HeaderBlock { GuidingHeader header; };
-layout(set = 0, binding = 1, scalar) restrict readonly buffer OldNodeBlock {
+layout(set = 0, binding = BINDING_PASS_HEADER, scalar) restrict readonly buffer HeaderBlock { GuidingHeader header; };
+layout(set = 0, binding = BINDING_PASS_OLD_NODES, scalar) restrict readonly buffer OldNodeBlock {
     uint old_node_count;
     uint old_nodes[];
 };
-layout(set = 0, binding = 2, scalar) restrict readonly buffer OldCellBlock { uvec2 old_cells[]; };
-layout(set = 0, binding = 3, scalar) restrict buffer OldLeafBlock { uint old_leaves[]; };
-layout(set = 0, binding = 4, scalar) restrict buffer NewNodeBlock {
+layout(set = 0, binding = BINDING_PASS_OLD_CELLS, scalar) restrict readonly buffer OldCellBlock { uvec2 old_cells[]; };
+layout(set = 0, binding = BINDING_PASS_OLD_LEAVES, scalar) restrict buffer OldLeafBlock { uint old_leaves[]; };
+layout(set = 0, binding = BINDING_PASS_NEW_NODES, scalar) restrict buffer NewNodeBlock {
     uint new_node_count;
     uint new_nodes[];
 };
-layout(set = 0, binding = 5, scalar) restrict buffer NewCellBlock { uvec2 new_cells[]; };
-layout(set = 0, binding = 6, scalar) restrict buffer NewLeafBlock { uint new_leaves[]; };
+layout(set = 0, binding = BINDING_PASS_NEW_CELLS, scalar) restrict buffer NewCellBlock { uvec2 new_cells[]; };
+layout(set = 0, binding = BINDING_PASS_NEW_LEAVES, scalar) restrict buffer NewLeafBlock { uint new_leaves[]; };
 // What becomes of old nodes (plan_*), and where new ones come from (plan_source): four arrays, one word per node.
-layout(set = 0, binding = 7, scalar) restrict coherent buffer PlanBlock { uint plan[]; };
-layout(set = 0, binding = 8, scalar) restrict buffer SampleBlock { uint light_samples[]; };
-layout(set = 0, binding = 9, scalar) restrict writeonly buffer VlcBlock { uint vlc_lights[]; };
+layout(set = 0, binding = BINDING_PASS_PLAN, scalar) restrict coherent buffer PlanBlock { uint plan[]; };
+layout(set = 0, binding = BINDING_PASS_SAMPLES, scalar) restrict buffer SampleBlock { uint light_samples[]; };
+layout(set = 0, binding = BINDING_PASS_NEW_CACHES, scalar) restrict writeonly buffer VlcBlock { uint vlc_lights[]; };
 // Old leaves to work on: those to deduplicate, then, from leaf_capacity() on, those to merge.
-layout(set = 0, binding = 10, scalar) restrict buffer ListBlock { uint leaf_lists[]; };
-layout(set = 0, binding = 11, scalar) restrict buffer WorkBlock { GuidingWork work; };
+layout(set = 0, binding = BINDING_PASS_LISTS, scalar) restrict buffer ListBlock { uint leaf_lists[]; };
+layout(set = 0, binding = BINDING_PASS_WORK, scalar) restrict buffer WorkBlock { GuidingWork work; };
 
-layout(set = 0, binding = 12, scalar) restrict readonly buffer OldVlcBlock { uint old_caches[]; };
+layout(set = 0, binding = BINDING_PASS_OLD_CACHES, scalar) restrict readonly buffer OldVlcBlock { uint old_caches[]; };
 
-layout(set = 0, binding = 13, scalar) restrict readonly buffer RaySampleBlock { uint ray_samples[]; };
+layout(set = 0, binding = BINDING_PASS_RAYS, scalar) restrict readonly buffer RaySampleBlock { uint ray_samples[]; };
 
 layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; };
 

@@ -6,7 +6,7 @@
 
 #include "shared/alias_table.h"
 
-layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer AliasBlock {
+layout(set = SET_TECHNIQUE, binding = BINDING_ALIAS_TABLE, scalar) restrict readonly buffer AliasBlock {
     uint alias_count; // entries; 0: no light shines
     AliasEntry alias_entries[];
 };

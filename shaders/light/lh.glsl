@@ -5,15 +5,15 @@
 #include "light/importance.glsl"
 #include "shared/light_hierarchy.h"
 
-layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer LightNodeBlock { uvec4 light_nodes[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_NODES, scalar) restrict readonly buffer LightNodeBlock { uvec4 light_nodes[]; };
 // Lights of leaves: leaf_size of them, NONE where there are fewer, for child c of node n from (n * 4 * groups + c) * leaf_size on.
-layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict readonly buffer LeafLightBlock { uint leaf_lights[]; };
-layout(set = SET_TECHNIQUE, binding = 2, scalar) restrict readonly buffer LightPlaceBlock {
+layout(set = SET_TECHNIQUE, binding = BINDING_LEAF_LIGHTS, scalar) restrict readonly buffer LeafLightBlock { uint leaf_lights[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_PLACES, scalar) restrict readonly buffer LightPlaceBlock {
     LightHierarchyHeader hierarchy;
     uint light_places[]; // where a light is in leaf_lights; NONE if it can light nothing: dark, or without area
 };
 // Where a node hangs, as its parent's number * 4 * groups + child; NONE: the root.
-layout(set = SET_TECHNIQUE, binding = 3, scalar) restrict readonly buffer LightParentBlock { uint light_parents[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_PARENTS, scalar) restrict readonly buffer LightParentBlock { uint light_parents[]; };
 
 /// What drawing a child of a node depends on.
 struct NodeView {

@@ -9,11 +9,11 @@
 
 // List c belongs to cluster c, and one more holds all lights, for points in no cluster: ranges (first, count) of ids. Lights
 // of the static world are listed once; lights that can move, whose ids are larger, are listed anew when they do. Ids ascend.
-layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict readonly buffer StaticRangeBlock { uvec2 static_ranges[]; };
-layout(set = SET_TECHNIQUE, binding = 2, scalar) restrict readonly buffer StaticIdBlock { uint static_ids[]; };
-layout(set = SET_TECHNIQUE, binding = 3, scalar) restrict readonly buffer MovingRangeBlock { uvec2 moving_ranges[]; };
-layout(set = SET_TECHNIQUE, binding = 4, scalar) restrict readonly buffer MovingIdBlock { uint moving_ids[]; };
-layout(set = SET_TECHNIQUE, binding = 5, scalar) restrict readonly buffer ListCountBlock {
+layout(set = SET_TECHNIQUE, binding = BINDING_STATIC_RANGES, scalar) restrict readonly buffer StaticRangeBlock { uvec2 static_ranges[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_STATIC_IDS, scalar) restrict readonly buffer StaticIdBlock { uint static_ids[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_MOVING_RANGES, scalar) restrict readonly buffer MovingRangeBlock { uvec2 moving_ranges[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_MOVING_IDS, scalar) restrict readonly buffer MovingIdBlock { uint moving_ids[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_LIST_COUNTS, scalar) restrict readonly buffer ListCountBlock {
     uint list_count;  // lists, the one of all lights included
     uint list_moving; // 1: some moving list is not empty
 };

@@ -11,7 +11,7 @@
 #define SET_SHADOW_STATISTICS SET_TECHNIQUE
 #endif
 
-layout(set = SET_SHADOW_STATISTICS, binding = 0, scalar) restrict buffer ShadowStatisticsBlock {
+layout(set = SET_SHADOW_STATISTICS, binding = BINDING_SHADOW_STATISTICS, scalar) restrict buffer ShadowStatisticsBlock {
     uint shadow_slots;   // a power of two
     uint shadow_words[]; // SHADOW_SLOT_WORDS for each; losses are floats
 };

@@ -4,13 +4,14 @@
 // have no pixel in common. Texels are taken as they are (no filter), and blended as Quake does, in sRGB.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
+#include "shared/bindings.h"
 #include "shared/draw.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 0, scalar) restrict buffer DisplayBlock { uint display[]; };
-layout(set = 0, binding = 1, scalar) restrict readonly buffer DrawBlock { DrawRect draws[]; };
-layout(set = 0, binding = 2, scalar) restrict readonly buffer TexelBlock { uint texels[]; };
+layout(set = 0, binding = BINDING_DRAWS_DISPLAY, scalar) restrict buffer DisplayBlock { uint display[]; };
+layout(set = 0, binding = BINDING_DRAWS_RECTS, scalar) restrict readonly buffer DrawBlock { DrawRect draws[]; };
+layout(set = 0, binding = BINDING_DRAWS_TEXELS, scalar) restrict readonly buffer TexelBlock { uint texels[]; };
 
 layout(push_constant, scalar) uniform PushBlock {
     uint first_draw;

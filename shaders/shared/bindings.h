@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Descriptor sets, bindings and specialisation constants of the path tracer's passes, by name, for C++ and GLSL. Set 0 is the scene and
-// the frame. Set 1 belongs to the light-sampling technique in use. Set 2 is what was learned from the frame before. Each buffer
-// is declared once in GLSL, in the file named beside its binding.
+// Descriptor sets, bindings and specialisation constants of all passes, by name, for C++ and GLSL. In the path tracer's passes set 0 is
+// the scene and the frame, set 1 belongs to the light-sampling technique in use, and set 2 is what was learned from the frame before.
+// Other passes have one set of their own. Each buffer is declared once in GLSL, in the file named beside its binding.
 #ifndef VIGIL_SHARED_BINDINGS_H
 #define VIGIL_SHARED_BINDINGS_H
 
@@ -46,7 +46,18 @@
 #define CONSTANT_VIEW 14    // pt_view is on: post/tonemap.comp
 #define CONSTANT_ANY_HIT 15 // of a benchmark: trace/trace_rays.comp
 
-// Set 1 holds this many storage buffers; what they are is the technique's business (shaders/light/NAME.glsl).
+// Set 1 holds this many storage buffers; which of them a technique has is its business (shaders/light/NAME.glsl).
+#define BINDING_ALIAS_TABLE 0       // number of entries, AliasEntry[]: light/alias.glsl
+#define BINDING_SHADOW_STATISTICS 0 // light/shadow_statistics.glsl; the pass of that name has it as well, alone in set 0
+#define BINDING_STATIC_RANGES 1     // these five are the light lists: light/light_list.glsl
+#define BINDING_STATIC_IDS 2
+#define BINDING_MOVING_RANGES 3
+#define BINDING_MOVING_IDS 4
+#define BINDING_LIST_COUNTS 5
+#define BINDING_LIGHT_NODES 0 // these four are the Light Hierarchy: light/lh.glsl
+#define BINDING_LEAF_LIGHTS 1
+#define BINDING_LIGHT_PLACES 2
+#define BINDING_LIGHT_PARENTS 3
 #define TECHNIQUE_BINDING_COUNT 6
 
 // Set 2, declared in guiding/octree.glsl. Vulkan 1.2 lets a device stop at few storage buffers per stage, and Mesa 22.3's
@@ -58,5 +69,28 @@
 #define BINDING_GUIDING_VLC 4     // light ids of the caches
 #define BINDING_GUIDING_RAYS 5    // ray samples
 #define GUIDING_BINDING_COUNT 6
+
+// The set of the guiding passes, declared in guiding/passes.glsl: this frame's octree ("new") and that of the frame before ("old").
+#define BINDING_PASS_HEADER 0     // GuidingHeader: shared/guiding_types.h
+#define BINDING_PASS_OLD_NODES 1  // number of inner nodes, and the nodes: shared/octree.h
+#define BINDING_PASS_OLD_CELLS 2  // cells of inner nodes
+#define BINDING_PASS_OLD_LEAVES 3 // arrays by leaf: shared/guiding_types.h
+#define BINDING_PASS_NEW_NODES 4
+#define BINDING_PASS_NEW_CELLS 5
+#define BINDING_PASS_NEW_LEAVES 6
+#define BINDING_PASS_PLAN 7       // what becomes of nodes
+#define BINDING_PASS_SAMPLES 8    // light samples
+#define BINDING_PASS_NEW_CACHES 9 // light ids of the caches
+#define BINDING_PASS_LISTS 10     // leaves to work on
+#define BINDING_PASS_WORK 11      // GuidingWork: shared/guiding_types.h
+#define BINDING_PASS_OLD_CACHES 12
+#define BINDING_PASS_RAYS 13 // ray samples
+#define GUIDING_PASS_BINDING_COUNT 14
+
+// The set of pass `draws`: post/draws.comp.
+#define BINDING_DRAWS_DISPLAY 0 // the finished picture
+#define BINDING_DRAWS_RECTS 1   // DrawRect[]: shared/draw.h
+#define BINDING_DRAWS_TEXELS 2  // of all pictures, RGBA8
+#define DRAWS_BINDING_COUNT 3
 
 #endif

@@ -13,9 +13,9 @@ layout(local_size_x = 64) in;
 /// False: the closest hit of each ray. True: only whether anything stops it.
 layout(constant_id = CONSTANT_ANY_HIT) const bool ANY_HIT = false;
 
-layout(set = SET_TECHNIQUE, binding = 0, scalar) restrict readonly buffer Rays { Ray rays[]; };
-layout(set = SET_TECHNIQUE, binding = 1, scalar) restrict writeonly buffer Answers { RayAnswer answers[]; };
-layout(set = SET_TECHNIQUE, binding = 2, scalar) restrict writeonly buffer Occluded { uint occluded[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_RAYS, scalar) restrict readonly buffer Rays { Ray rays[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_ANSWERS, scalar) restrict writeonly buffer Answers { RayAnswer answers[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_OCCLUDED, scalar) restrict writeonly buffer Occluded { uint occluded[]; };
 layout(push_constant) uniform Push { uint ray_count; };
 
 void main() {

@@ -11,9 +11,9 @@ namespace vigil::bench {
 
 namespace {
 
-constexpr std::array<VkDescriptorType, 3> ray_types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                                       VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                                       VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+constexpr std::array<VkDescriptorType, RAY_BINDING_COUNT> ray_types = {
+    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 
 } // namespace
 
@@ -90,9 +90,9 @@ TraceRig::Batch TraceRig::make_batch(std::span<const shader::Ray> rays) const {
     batch.occluded = gpu::Buffer(device_, rays.size() * sizeof(std::uint32_t),
                                  gpu::MemoryUse::Device, "occluded");
     batch.set = gpu::DescriptorSet(device_, ray_types, unused_, "rays");
-    batch.set.bind(0, batch.rays);
-    batch.set.bind(1, batch.answers);
-    batch.set.bind(2, batch.occluded);
+    batch.set.bind(BINDING_RAYS, batch.rays);
+    batch.set.bind(BINDING_ANSWERS, batch.answers);
+    batch.set.bind(BINDING_OCCLUDED, batch.occluded);
     return batch;
 }
 

@@ -36,19 +36,23 @@ protected:
 
     static Downloaded download(uint64_t lights) {
         const gpu::Device& device = renderer().device();
-        const vkpt::LightTechnique::Bindings buffers = renderer().technique()->bindings();
+        vkpt::LightTechnique::Bindings buffers{};
+        renderer().technique()->bind(buffers);
         Downloaded result;
-        result.header =
-            gpu::download_now_as<shader::LightHierarchyHeader>(device, *buffers[2], 0, 1)[0];
+        result.header = gpu::download_now_as<shader::LightHierarchyHeader>(
+            device, *buffers[BINDING_LIGHT_PLACES], 0, 1)[0];
         const uint64_t nodes = result.header.node_count;
         const uint64_t slots = uint64_t{4} * result.header.groups;
         constexpr uint64_t header_words = sizeof(result.header) / sizeof(uint32_t);
         result.nodes = gpu::download_now_as<glm::uvec4>(
-            device, *buffers[0], 0, nodes * shader::light_node_stride(result.header.groups));
+            device, *buffers[BINDING_LIGHT_NODES], 0,
+            nodes * shader::light_node_stride(result.header.groups));
         result.leaf_lights = gpu::download_now_as<uint32_t>(
-            device, *buffers[1], 0, nodes * slots * result.header.leaf_size);
-        result.places = gpu::download_now_as<uint32_t>(device, *buffers[2], header_words, lights);
-        result.parents = gpu::download_now_as<uint32_t>(device, *buffers[3], 0, nodes);
+            device, *buffers[BINDING_LEAF_LIGHTS], 0, nodes * slots * result.header.leaf_size);
+        result.places = gpu::download_now_as<uint32_t>(device, *buffers[BINDING_LIGHT_PLACES],
+                                                       header_words, lights);
+        result.parents =
+            gpu::download_now_as<uint32_t>(device, *buffers[BINDING_LIGHT_PARENTS], 0, nodes);
         return result;
     }
 

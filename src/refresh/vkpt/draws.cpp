@@ -3,6 +3,7 @@
 
 #include "common/error.h"
 #include "formats/image.h"
+#include "shared/bindings.h"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,8 @@ struct Push {
 Draws::Draws(const gpu::Device& device, gpu::PipelineCompiler& compiler)
     : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       rect_buffer_(device, "draws"),
-      set_(device, std::vector(3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), unused_, "draw set"),
+      set_(device, std::vector(DRAWS_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), unused_,
+           "draw set"),
       layout_(device, {&set_}), pass_(Pass::Draws, compiler, layout_) {}
 
 refresh::PictureHandle Draws::register_picture(const FileSystem& files, std::string_view name) {
@@ -100,9 +102,9 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
     if (!rebind) return;
     device_.wait_idle();
     display_ = display.handle();
-    set_.bind(0, display);
-    set_.bind(1, rect_buffer_.buffer());
-    set_.bind(2, texel_buffer_ ? texel_buffer_ : unused_);
+    set_.bind(BINDING_DRAWS_DISPLAY, display);
+    set_.bind(BINDING_DRAWS_RECTS, rect_buffer_.buffer());
+    set_.bind(BINDING_DRAWS_TEXELS, texel_buffer_ ? texel_buffer_ : unused_);
 }
 
 void Draws::record(gpu::FrameCommands& commands) {

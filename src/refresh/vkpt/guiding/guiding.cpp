@@ -15,8 +15,6 @@ namespace vigil::vkpt {
 
 namespace {
 
-/// Bindings of the passes: shaders/guiding/passes.glsl.
-constexpr size_t pass_binding_count = 14;
 /// Words per node in the plan of a rebuild.
 constexpr uint64_t plan_words = 4;
 /// A work group per leaf must fit into one dimension of a dispatch, which Vulkan lets end at
@@ -65,7 +63,7 @@ Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, siz
       augment_(Pass::OctreeAugment, compiler, layout_) {
     const std::vector<VkDescriptorType> lookup(GUIDING_BINDING_COUNT,
                                                VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    const std::vector<VkDescriptorType> passes(pass_binding_count,
+    const std::vector<VkDescriptorType> passes(GUIDING_PASS_BINDING_COUNT,
                                                VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     for (Tree& tree : trees_) {
         tree.lookup = gpu::DescriptorSet(device, lookup, unused_, "guiding look-up set");
@@ -182,12 +180,20 @@ void Guiding::bind(Tree& from, const Tree& to) {
     lookup.bind(BINDING_GUIDING_RAYS, rays);
     lookup.bind(BINDING_GUIDING_VLC, from.caches);
     gpu::DescriptorSet& passes = from.passes;
-    const std::array<const gpu::Buffer*, pass_binding_count> buffers{
-        &header_buffer_, &from.nodes, &from.cells,  &from.leaves, &to.nodes,
-        &to.cells,       &to.leaves,  &plan_,       &samples_,    &to.caches,
-        &lists_,         &work_,      &from.caches, &rays};
-    for (uint32_t i = 0; i < buffers.size(); ++i)
-        passes.bind(i, *buffers[i]);
+    passes.bind(BINDING_PASS_HEADER, header_buffer_);
+    passes.bind(BINDING_PASS_OLD_NODES, from.nodes);
+    passes.bind(BINDING_PASS_OLD_CELLS, from.cells);
+    passes.bind(BINDING_PASS_OLD_LEAVES, from.leaves);
+    passes.bind(BINDING_PASS_OLD_CACHES, from.caches);
+    passes.bind(BINDING_PASS_NEW_NODES, to.nodes);
+    passes.bind(BINDING_PASS_NEW_CELLS, to.cells);
+    passes.bind(BINDING_PASS_NEW_LEAVES, to.leaves);
+    passes.bind(BINDING_PASS_NEW_CACHES, to.caches);
+    passes.bind(BINDING_PASS_PLAN, plan_);
+    passes.bind(BINDING_PASS_SAMPLES, samples_);
+    passes.bind(BINDING_PASS_RAYS, rays);
+    passes.bind(BINDING_PASS_LISTS, lists_);
+    passes.bind(BINDING_PASS_WORK, work_);
 }
 
 void Guiding::restart(const glm::vec3& corner, float size) {

@@ -10,7 +10,7 @@ class Brute : public LightTechnique {
 public:
     bool prepare(const LightFrame&) override { return false; }
     void upload(gpu::FrameCommands&) override {}
-    Bindings bindings() const override { return {}; }
+    void bind(Bindings&) const override {}
     bool samples_lights() const override { return false; }
 };
 

@@ -76,11 +76,11 @@ void ClusterLists::upload(gpu::FrameCommands& commands) {
 }
 
 void ClusterLists::bind(LightTechnique::Bindings& bindings) const {
-    bindings[1] = &static_.ranges.buffer();
-    bindings[2] = &static_.ids.buffer();
-    bindings[3] = &moving_.ranges.buffer();
-    bindings[4] = &moving_.ids.buffer();
-    bindings[5] = &counts_.buffer();
+    bindings[BINDING_STATIC_RANGES] = &static_.ranges.buffer();
+    bindings[BINDING_STATIC_IDS] = &static_.ids.buffer();
+    bindings[BINDING_MOVING_RANGES] = &moving_.ranges.buffer();
+    bindings[BINDING_MOVING_IDS] = &moving_.ids.buffer();
+    bindings[BINDING_LIST_COUNTS] = &counts_.buffer();
 }
 
 } // namespace vigil::vkpt

@@ -20,7 +20,7 @@ public:
     /// Brings the lists to this frame's lights. Returns true if a buffer was made anew.
     bool prepare(const LightSet& lights);
     void upload(gpu::FrameCommands& commands);
-    /// Puts the buffers at the bindings of light_list.glsl, 1 to 5.
+    /// Puts the buffers at the bindings of light_list.glsl.
     void bind(LightTechnique::Bindings& bindings) const;
     /// Lengths of all lists, added up.
     uint64_t pair_count() const { return static_pairs_ + moving_pairs_; }

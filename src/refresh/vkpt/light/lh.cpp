@@ -40,8 +40,11 @@ public:
         for (gpu::GrowingBuffer* buffer : {&nodes_, &leaf_lights_, &places_, &parents_})
             buffer->upload(commands);
     }
-    Bindings bindings() const override {
-        return {&nodes_.buffer(), &leaf_lights_.buffer(), &places_.buffer(), &parents_.buffer()};
+    void bind(Bindings& bindings) const override {
+        bindings[BINDING_LIGHT_NODES] = &nodes_.buffer();
+        bindings[BINDING_LEAF_LIGHTS] = &leaf_lights_.buffer();
+        bindings[BINDING_LIGHT_PLACES] = &places_.buffer();
+        bindings[BINDING_LIGHT_PARENTS] = &parents_.buffer();
     }
 
 private:

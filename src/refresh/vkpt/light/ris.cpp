@@ -13,7 +13,9 @@ public:
 
     bool prepare(const LightFrame& frame) override { return table_.prepare(frame); }
     void upload(gpu::FrameCommands& commands) override { table_.upload(commands); }
-    Bindings bindings() const override { return {&table_.buffer()}; }
+    void bind(Bindings& bindings) const override {
+        bindings[BINDING_ALIAS_TABLE] = &table_.buffer();
+    }
 
 private:
     ExplorationTable table_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/shadow_statistics.h"
 
+#include "shared/bindings.h"
 #include "shared/shadow_statistics.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ bool ShadowStatistics::reserve(uint64_t pairs) {
                     gpu::MemoryUse::Device, "shadow statistics");
     slots_ = slots;
     pass_.choose();
-    set_.bind(0, table_);
+    set_.bind(BINDING_SHADOW_STATISTICS, table_);
     empty_ = true;
     return true;
 }

@@ -27,10 +27,9 @@ public:
     }
     void forget() override { shadows_.forget(); }
     bool learns() const override { return learns_; }
-    Bindings bindings() const override {
-        Bindings bindings{shadows_.buffer()};
+    void bind(Bindings& bindings) const override {
+        bindings[BINDING_SHADOW_STATISTICS] = shadows_.buffer();
         lists_.bind(bindings);
-        return bindings;
     }
 
 private:

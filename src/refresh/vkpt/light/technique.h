@@ -49,9 +49,9 @@ public:
     virtual void forget() {}
     /// Whether it learns from frame to frame, by itself or by the octree.
     virtual bool learns() const { return uses_guiding(); }
-    /// Buffers by binding of set 1; null where there is none.
+    /// Buffers by binding of set 1 (shared/bindings.h); null where there is none.
     using Bindings = std::array<const gpu::Buffer*, TECHNIQUE_BINDING_COUNT>;
-    virtual Bindings bindings() const = 0;
+    virtual void bind(Bindings& bindings) const = 0;
     /// Whether next event estimation is of any use: false where rays find the lights.
     virtual bool samples_lights() const { return true; }
     /// Whether its shader looks into the octree, which the renderer then brings to every frame.

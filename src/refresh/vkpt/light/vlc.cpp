@@ -22,10 +22,9 @@ public:
         lists_.upload(commands);
         table_.upload(commands);
     }
-    Bindings bindings() const override {
-        Bindings bindings{&table_.buffer()};
+    void bind(Bindings& bindings) const override {
+        bindings[BINDING_ALIAS_TABLE] = &table_.buffer();
         lists_.bind(bindings);
-        return bindings;
     }
     bool uses_guiding() const override { return true; }
 

@@ -90,7 +90,7 @@ void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
     const std::array<const LightTechnique*, most_sides> techniques{&technique, right};
     for (size_t side = 0; side < most_sides; ++side) {
         LightTechnique::Bindings bindings{};
-        if (techniques[side] != nullptr) bindings = techniques[side]->bindings();
+        if (techniques[side] != nullptr) techniques[side]->bind(bindings);
         for (uint32_t i = 0; i < bindings.size(); ++i)
             technique_sets_[side].bind(i, bindings[i] ? *bindings[i] : unused_);
     }
