@@ -180,24 +180,41 @@ TEST_F(QueryTest, FadedAndHiddenModels) {
     scene_->place(scene_->add_model(random_triangles(100, 180.0f, 120.0f, 15)), in_place);
     const size_t opaque = scene_->add_model(ball);
     const size_t mixed = scene_->add_model(with_glass(ball, 4));
-    constexpr uint32_t faded = 90u << shader::INSTANCE_OPACITY_SHIFT;
-    scene_->place(opaque, placed(turn(1.0f), {100, 0, 0}), faded | shader::INSTANCE_LIT);
-    scene_->place(mixed, placed(turn(2.0f), {-100, 50, 0}), faded | shader::INSTANCE_LIT);
-    scene_->place(mixed, placed(turn(3.0f), {0, -100, 60}));
-    for (const uint32_t seen : {shader::INSTANCE_SEEN, shader::INSTANCE_FRONT, 0u})
-        scene_->place(opaque, placed(turn(4.0f), {0, 100, -60}), 0xff00u | seen);
+    const auto place_balls = [&](uint32_t opacity_of_first) {
+        const auto lit = [](uint32_t opacity) {
+            return opacity << shader::INSTANCE_OPACITY_SHIFT | shader::INSTANCE_LIT;
+        };
+        scene_->place(opaque, placed(turn(1.0f), {100, 0, 0}), lit(opacity_of_first));
+        scene_->place(mixed, placed(turn(2.0f), {-100, 50, 0}), lit(90));
+        scene_->place(mixed, placed(turn(3.0f), {0, -100, 60}));
+        for (const uint32_t seen : {shader::INSTANCE_SEEN, shader::INSTANCE_FRONT, 0u})
+            scene_->place(opaque, placed(turn(4.0f), {0, 100, -60}), 0xff00u | seen);
+    };
+    place_balls(90);
     EXPECT_GT(compare(true, true, 16), ray_count / 4);
     Bounds bounds;
     bounds.grow(glm::vec3(-150.0f));
     bounds.grow(glm::vec3(150.0f));
     const std::vector<shader::Ray> rays = random_rays(ray_count, bounds, 17);
-    std::array<size_t, 7> hits{};
+    std::array<size_t, 7> fronts{}, backs{};
     for (const shader::TraceAnswer& answer : scene_->trace(Backend::Compute, rays, true, true))
-        if (answer.primitive != shader::NONE) ++hits.at(answer.instance);
-    for (size_t i = 0; i < hits.size(); ++i)
-        EXPECT_EQ(hits[i] > 0, i < 4) << "instance " << i;
-    // 90 of 255 stop at the first ball's front, none at its back.
-    EXPECT_GT(hits[1], ray_count / 200);
+        if (answer.primitive != shader::NONE)
+            ++(answer.front != 0 ? fronts : backs).at(answer.instance);
+    for (size_t i = 0; i < fronts.size(); ++i)
+        EXPECT_EQ(fronts[i] > 0, i < 4) << "instance " << i;
+    EXPECT_EQ(backs[1], 0u);
+    // Of the rays that the first ball stops at its front while it is opaque, each is stopped with a
+    // chance of 90 in 255. Five standard errors of that count.
+    scene_->clear_placed();
+    scene_->place(0, in_place);
+    place_balls(255);
+    double stopped = 0.0;
+    for (const shader::TraceAnswer& answer : scene_->trace(Backend::Compute, rays, true, true))
+        stopped += answer.primitive != shader::NONE && answer.instance == 1 && answer.front != 0;
+    constexpr double chance = 90.0 / 255.0;
+    EXPECT_NEAR(static_cast<double>(fronts[1]), chance * stopped,
+                5.0 * std::sqrt(stopped * chance * (1.0 - chance)));
+    EXPECT_GT(stopped, 400.0) << "a fault of a third would hide";
 }
 
 TEST_F(QueryTest, OpaquePlacedModels) {
