@@ -156,11 +156,7 @@ void Client::follow_settings() {
     const bool fullscreen = variables_->vid_fullscreen != 0;
     if (fullscreen == fullscreen_) return;
     fullscreen_ = fullscreen;
-    try {
-        window_->set_fullscreen(fullscreen);
-    } catch (const Error& error) {
-        log_error("vid_fullscreen: {}", error.what());
-    }
+    attempt("vid_fullscreen", [&] { window_->set_fullscreen(fullscreen); });
 }
 
 void Client::set_window_size(glm::ivec2 size) {

@@ -4,6 +4,7 @@
 
 #include "client/client.h"
 #include "client/driver_advice.h"
+#include "common/binary_file.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
@@ -15,8 +16,10 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <vector>
 
 namespace vigil::client {
 
@@ -40,9 +43,9 @@ private:
 };
 
 std::string file_text(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) fail("{}: cannot be read", path.string());
-    return {std::istreambuf_iterator<char>(file), {}};
+    const BinaryFile file(path);
+    const std::vector<std::uint8_t> bytes = file.read(0, file.size());
+    return {bytes.begin(), bytes.end()};
 }
 
 /// A cfg file of the game; loose files count as the person's own.
@@ -56,46 +59,63 @@ ScriptText game_script(const FileSystem& files, std::string_view name) {
 ScriptReader script_reader(const FileSystem& files) {
     return [&files](std::string_view name) -> ScriptText {
         const std::filesystem::path own = config_dir() / std::filesystem::path(name).filename();
-        if (name.find('/') == std::string_view::npos && std::filesystem::is_regular_file(own)) {
+        std::error_code none;
+        if (name.find('/') == std::string_view::npos &&
+            std::filesystem::is_regular_file(own, none)) {
             return {file_text(own), Trust::Person};
         }
         return game_script(files, name);
     };
 }
 
-/// What the game brings to run at the start. A file that cannot be read is said so and passed over.
-void run_autoexec(CommandRegistry& commands, const FileSystem& files) {
-    if (!files.exists(autoexec_name)) return;
+/// For what the program can do without: a failure is said and passed over.
+void if_possible(std::string_view failure, const std::function<void()>& part) {
     try {
-        const ScriptText script = game_script(files, autoexec_name);
-        commands.execute_text(script.text, autoexec_name, script.trust);
-    } catch (const Error& error) {
-        log_error("{}", error.what());
+        part();
+    } catch (const std::exception& error) {
+        log_error("{}: {}", failure, error.what());
     }
 }
 
-/// What the player changed, kept for the next time. A failure here is a warning: the game is over.
-void save_configuration(const CvarRegistry& variables, const KeyBindings& bindings,
-                        const CommandHistory& history) {
-    try {
-        write_file(config_dir() / config_name, "// Written by Vigil when it ends.\n" +
-                                                   variables.archive_text() +
-                                                   bindings.archive_text());
-        history.save(cache_dir() / history_name);
-    } catch (const Error& error) {
-        log_warning("the configuration is not kept: {}", error.what());
-    }
+/// What the game brings to run at the start.
+void run_autoexec(CommandRegistry& commands, const FileSystem& files) {
+    if (!files.exists(autoexec_name)) return;
+    if_possible("the game's start script is not run", [&] {
+        const ScriptText script = game_script(files, autoexec_name);
+        commands.execute_text(script.text, autoexec_name, script.trust);
+    });
 }
 
 void load_configuration(CommandRegistry& commands, CommandHistory& history) {
-    try {
+    if_possible("the configuration is not read", [&] {
         history.load(cache_dir() / history_name);
         const std::filesystem::path path = config_dir() / config_name;
         if (std::filesystem::exists(path)) commands.execute_text(file_text(path), path.string());
-    } catch (const Error& error) {
-        log_warning("the configuration is not read: {}", error.what());
-    }
+    });
 }
+
+/// Keeps what the player changed for the next time, however the game ends.
+class KeptConfiguration {
+public:
+    KeptConfiguration(const CvarRegistry& variables, const KeyBindings& bindings,
+                      const CommandHistory& history)
+        : variables_(variables), bindings_(bindings), history_(history) {}
+    ~KeptConfiguration() {
+        if_possible("the configuration is not kept", [this] {
+            write_file(config_dir() / config_name, "// Written by Vigil when it ends.\n" +
+                                                       variables_.archive_text() +
+                                                       bindings_.archive_text());
+            history_.save(cache_dir() / history_name);
+        });
+    }
+    KeptConfiguration(const KeptConfiguration&) = delete;
+    KeptConfiguration& operator=(const KeptConfiguration&) = delete;
+
+private:
+    const CvarRegistry& variables_;
+    const KeyBindings& bindings_;
+    const CommandHistory& history_;
+};
 
 std::unique_ptr<platform::Window> make_window(const CvarRegistry& variables) {
     platform::WindowOptions options;
@@ -150,16 +170,11 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
         log_info("there is no window and nothing to do; give commands, for example "
                  "+map warehouse +wait 4 +screenshot");
     }
-    const auto keep_configuration = [&] {
-        if (!client.headless()) save_configuration(variables, bindings, console.history());
-    };
-    try {
+    {
+        std::optional<KeptConfiguration> kept;
+        if (!client.headless()) kept.emplace(variables, bindings, console.history());
         client.run();
-    } catch (...) {
-        keep_configuration();
-        throw;
     }
-    keep_configuration();
     if (!client.headless()) {
         const int status = client.cut_short() ? 1 : 0;
         client.end_play(); // keeps what is recorded
@@ -189,7 +204,7 @@ int run_program(std::span<const char* const> words, const MakeRenderer& make_ren
             return 0;
         }
         return run_commands(line, make_renderer, add_commands);
-    } catch (const std::exception& error) {
+    } catch (const std::exception& error) { // the outermost boundary; common/error.h has them all
         log_error("{}", error.what());
         return 1;
     }

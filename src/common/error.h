@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one error type. Anything that fails because of the outside world (a file, a device, a typed
-// command) throws it with a message a person can act on; the command dispatcher is the one boundary
-// that catches it and prints it to the console, so the program stays usable.
+// command) throws it with a message a person can act on. It stops where the client runs something:
+// a command (CommandRegistry), a part of a frame (Client::attempt) or all of it (run_program).
+// docs/front-end.md says what else may catch it, and why.
 #pragma once
 
 #include <fmt/format.h>

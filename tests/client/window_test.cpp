@@ -296,6 +296,8 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
 }
 
 TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {
+    // A folder in the place of the configuration hinders nothing.
+    std::filesystem::create_directories(path("config/vigil/config.cfg"));
     start(VIGIL_SOURCE_DIR,
           {"+set", "timedemo", "1000", "+set", "timedemo_json", "demo.json", "+demomap", "ring"});
     // Quake's line: one repetition is finished, the next is under way.
@@ -305,6 +307,8 @@ TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {
     const std::string all = text_of(log_);
     EXPECT_EQ(program_->wait(), 1) << all;
     EXPECT_NE(all.find("reported is what was finished"), std::string::npos) << all;
+    EXPECT_NE(all.find("config.cfg: not a regular file"), std::string::npos) << all;
+    EXPECT_NE(all.find("config.cfg: cannot replace: Is a directory"), std::string::npos) << all;
     const auto report = nlohmann::json::parse(text_of(path("out/demo.json")), nullptr, false);
     ASSERT_TRUE(report.is_object()) << all;
     EXPECT_GE(report["repetitions"].size(), 1u);

@@ -81,6 +81,15 @@ TEST_F(PipelineCacheTest, AnythingElseIsReplacedWithOneMessage) {
     }
 }
 
+TEST_F(PipelineCacheTest, AFolderInItsPlaceIsLeftAlone) {
+    std::filesystem::create_directories(file_);
+    const auto lines = use();
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NE(lines[0].text.find("the pipeline cache is not saved"), std::string::npos);
+    EXPECT_NE(lines[0].text.find("pipelines.bin: cannot replace: Is a directory"),
+              std::string::npos);
+}
+
 TEST_F(PipelineCacheTest, AFullDiskKeepsTheOldFile) {
     folder_.write("cache/pipelines.bin", "old");
     std::vector<LogCapture::Line> lines;

@@ -148,8 +148,10 @@ void name_fonts([[maybe_unused]] ImDrawData& draw_data) {
 } // namespace
 
 Overlay::Overlay(const gpu::Device& device, VkFormat picture_format, uint32_t frames_in_flight)
-    : device_(&device), frames_in_flight_(std::max(frames_in_flight, 1u)),
-      render_pass_(make_render_pass(device, picture_format)), framebuffers_(frames_in_flight_) {
+    : Overlay(device) { // so that the destructor stops what was started before a fault
+    frames_in_flight_ = std::max(frames_in_flight, 1u);
+    framebuffers_.resize(frames_in_flight_);
+    render_pass_ = make_render_pass(device, picture_format);
     if (!ImGui::GetCurrentContext()) fail("overlay: there is no ImGui context");
     start_imgui();
 }
@@ -172,13 +174,8 @@ void Overlay::start_imgui() {
     info.MinImageCount = 2;                            // the least that imgui accepts
     info.ImageCount = std::max(frames_in_flight_, 2u); // how many vertex buffers it rotates
     info.CheckVkResultFn = check_imgui;
-    try {
-        init_backend(info, render_pass_.get());
-        upload_fonts(*device_);
-    } catch (...) {
-        stop_imgui();
-        throw;
-    }
+    init_backend(info, render_pass_.get());
+    upload_fonts(*device_);
 }
 
 void Overlay::stop_imgui() {

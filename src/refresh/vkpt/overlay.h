@@ -33,12 +33,13 @@ public:
     void draw(VkCommandBuffer commands, const gpu::Image& picture, ImDrawData* draw_data);
 
 private:
+    explicit Overlay(const gpu::Device& device) : device_(&device) {}
     void start_imgui();
     void stop_imgui();
     gpu::Handle<VkFramebuffer> make_framebuffer(const gpu::Image& picture) const;
 
     const gpu::Device* device_;
-    uint32_t frames_in_flight_;
+    uint32_t frames_in_flight_ = 1;
     ImGuiContext* context_ = nullptr; // with which the backend was started
     gpu::Handle<VkRenderPass> render_pass_;
     gpu::Handle<VkDescriptorPool> descriptor_pool_;

@@ -384,9 +384,7 @@ ExportSummary write_gltf(const ExportScene& scene, const fs::path& path) {
         fail("{}: exported scenes are named NAME.gltf", path.string());
     try {
         return Exporter(scene, path).run();
-    } catch (const fs::filesystem_error& error) {
-        fail("{}: not exported: {}", path.string(), error.what());
-    } catch (const Error& error) {
+    } catch (const std::runtime_error& error) { // Error, or std::filesystem's
         fail("{}: not exported: {}", path.string(), error.what());
     }
 }

@@ -131,18 +131,11 @@ void check(VkResult result, std::string_view call) {
     fail("{} failed ({}): {}", call, static_cast<int>(result), result_name(result));
 }
 
-Device::Device(const DeviceOptions& options, refresh::SurfaceProvider* surface) {
-    try {
-        create_instance(options, surface);
-        pick_physical_device(options);
-        create_device(options);
-    } catch (...) {
-        surface_.reset();
-        messenger_.reset();
-        if (device_) vkDestroyDevice(device_, nullptr);
-        if (instance_) vkDestroyInstance(instance_, nullptr);
-        throw;
-    }
+Device::Device(const DeviceOptions& options, refresh::SurfaceProvider* surface) : Device() {
+    // Where one of these throws, the destructor takes back what the others made.
+    create_instance(options, surface);
+    pick_physical_device(options);
+    create_device(options);
 }
 
 Device::~Device() {

@@ -81,6 +81,7 @@ public:
     void end_label(VkCommandBuffer commands) const;
 
 private:
+    Device() = default;
     void create_instance(const DeviceOptions& options, refresh::SurfaceProvider* surface);
     void pick_physical_device(const DeviceOptions& options);
     void create_device(const DeviceOptions& options);

@@ -8,7 +8,7 @@
 
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 namespace vigil::gpu {
 
@@ -16,9 +16,11 @@ namespace {
 
 constexpr std::string_view cache_kind = "vigil pipelines 1";
 
+/// What can be read of it; nothing, where there is no such file.
 std::string read_file(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return std::move(text).str();
 }
 
 /// Drivers must reject foreign data themselves, but none finds a damaged byte in its own: the seal

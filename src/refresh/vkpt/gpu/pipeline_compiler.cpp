@@ -18,8 +18,13 @@ constexpr unsigned most_threads = 4;
 PipelineCompiler::PipelineCompiler(const Device& device, std::filesystem::path cache_file)
     : device_(device), cache_(device, std::move(cache_file)) {
     const unsigned count = std::clamp(std::thread::hardware_concurrency(), 1u, most_threads);
-    for (unsigned i = 0; i < count; ++i)
-        threads_.emplace_back([this] { work(); });
+    threads_.reserve(count);
+    try {
+        for (unsigned i = 0; i < count; ++i)
+            threads_.emplace_back([this] { work(); });
+    } catch (const std::exception& error) { // fewer do
+        if (threads_.empty()) fail("there is no thread to compile shaders: {}", error.what());
+    }
 }
 
 PipelineCompiler::~PipelineCompiler() {
