@@ -9,7 +9,7 @@
 namespace vigil::client {
 
 /// One line, or nothing: for Mesa's llvmpipe before version 25. `device` is as
-/// Renderer::describe_device() tells it; `fetched` is where `./run` puts a faster driver.
+/// Renderer::device_name() tells it; `fetched` is where `./run` puts a faster driver.
 std::string driver_advice(std::string_view device, const std::filesystem::path& fetched);
 
 } // namespace vigil::client

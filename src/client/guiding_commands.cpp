@@ -2,6 +2,7 @@
 // Console commands about what the renderer has learned, and about looking at it: view, viewnext,
 // viewprev, guiding, guidingreset, vlcinfo, cdqinfo.
 #include "client/client.h"
+#include "client/measure/report_text.h"
 #include "common/log.h"
 #include "console/arguments.h"
 #include "shared/views.h"
@@ -47,7 +48,7 @@ std::vector<std::string> view_candidates(CommandArguments arguments) {
 void guiding(Client& client) {
     Session& session = client.session_in_level();
     session.take_frame_times(true);
-    log_info("{}", session.renderer().describe_guiding());
+    log_info("{}", guiding_text(session.renderer().report_guiding()));
     if (session.count_statistics().frame_count() > 0)
         log_info("{}", session.count_statistics().table());
 }
@@ -55,13 +56,13 @@ void guiding(Client& client) {
 void vlcinfo(Client& client) {
     Session& session = client.session_in_level();
     session.render_if_stale(); // `setviewpos ...; vlcinfo` is about the new view
-    log_info("{}", session.renderer().describe_leaf());
+    log_info("{}", light_cache_text(session.renderer().report_guiding()));
 }
 
 void cdqinfo(Client& client) {
     Session& session = client.session_in_level();
     session.render_if_stale();
-    log_info("{}", session.renderer().describe_directions());
+    log_info("{}", quadtree_text(session.renderer().report_guiding()));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // Console commands about the level and what is in it: map, maps, turn, lightstyle, dlight,
 // flashlight, dlight_clear, scene, device, passes, quit.
 #include "client/client.h"
+#include "client/measure/report_text.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "console/arguments.h"
@@ -57,6 +58,13 @@ void dlight(Client& client, CommandArguments arguments) {
     client.session_in_level().set_dynamic_light(light);
 }
 
+void scene(Client& client) {
+    const refresh::Renderer& renderer = client.session_in_level().renderer();
+    const refresh::Settings& settings = client.commands().variables().values();
+    log_info("{}", scene_text(renderer.report_scene(settings), renderer.report_guiding(),
+                              renderer.health(), settings));
+}
+
 } // namespace
 
 void add_level_commands(Client& client) {
@@ -93,13 +101,10 @@ void add_level_commands(Client& client) {
                      client.session_in_level().set_flashlight(!client.session().flashlight());
                  });
     commands.add("scene", ": says what the level switched on in the renderer, and why",
-                 [&client](CommandArguments) {
-                     log_info("{}", client.session_in_level().describe_scene());
-                 });
-    commands.add("device", ": names the graphics device and its driver",
-                 [&client](CommandArguments) {
-                     log_info("{}", client.session().renderer().describe_device());
-                 });
+                 [&client](CommandArguments) { scene(client); });
+    commands.add(
+        "device", ": names the graphics device and its driver",
+        [&client](CommandArguments) { log_info("{}", client.session().renderer().device_name()); });
     commands.add("passes", ": table of GPU times since the last call or the level's start",
                  [&client](CommandArguments) {
                      client.session().take_frame_times(true);

@@ -154,7 +154,7 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
         make_renderer(files, window.get(), variables.values());
 
     const std::string advice =
-        driver_advice(renderer->describe_device(), cache_dir() / "mesa/lvp_icd.json");
+        driver_advice(renderer->device_name(), cache_dir() / "mesa/lvp_icd.json");
     if (!advice.empty()) log_info("{}", advice);
 
     Client client({files, commands, bindings, console, overlay, *renderer, window.get()});

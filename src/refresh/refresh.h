@@ -7,6 +7,7 @@
 // to make a surface.
 #pragma once
 
+#include "refresh/reports.h"
 #include "refresh/settings.h"
 
 #include <array>
@@ -299,19 +300,12 @@ public:
 
     /// Waits for the device.
     virtual Health health() const = 0;
-    /// Text of `scene`: what the level switched on, and why, and how a frame with these settings
-    /// traces it.
-    virtual std::string describe_scene(const Settings& settings) const = 0;
-    /// Text of one line: device and driver.
-    virtual std::string describe_device() const = 0;
-    /// Text of `guiding`: the memory that octree and light caches take, by buffer; or that guiding
-    /// is off.
-    virtual std::string describe_guiding() const = 0;
-    /// Text of `vlcinfo`: the octree's leaf under the middle of the last frame, and its light
-    /// cache; or why there is none.
-    virtual std::string describe_leaf() const = 0;
-    /// Text of `cdqinfo`: the directional quadtree of that leaf; or why there is none.
-    virtual std::string describe_directions() const = 0;
+    /// Names of device and driver, in one line.
+    virtual std::string device_name() const = 0;
+    // Reports wait for the device; they throw Error before a level is loaded.
+    /// What a frame with these settings traces, and how.
+    virtual SceneReport report_scene(const Settings& settings) const = 0;
+    virtual GuidingReport report_guiding() const = 0;
     /// Forgets what frames have taught, octree and light caches first of all: the next frame learns
     /// anew.
     virtual void reset_guiding() = 0;

@@ -100,11 +100,21 @@ public:
                              {{"leaves", static_cast<double>(timed_)}}});
         return times;
     }
-    std::string describe_scene(const refresh::Settings&) const override { return "a fake scene"; }
-    std::string describe_device() const override { return log_.device; }
-    std::string describe_guiding() const override { return "fake guiding"; }
-    std::string describe_leaf() const override { return "a fake leaf"; }
-    std::string describe_directions() const override { return "a fake quadtree"; }
+    std::string device_name() const override { return log_.device; }
+    refresh::SceneReport report_scene(const refresh::Settings&) const override {
+        refresh::SceneReport report;
+        report.level = "a fake scene";
+        return report;
+    }
+    refresh::GuidingReport report_guiding() const override {
+        refresh::GuidingReport report;
+        report.on = report.quadtrees = true;
+        report.position = {1, 2, 3};
+        report.buckets = {{{}}};
+        report.quadtree.bits = 32;
+        report.quadtree.cells.resize(25);
+        return report;
+    }
     void reset_guiding() override { log_.calls.emplace_back("reset guiding"); }
     void export_scene(const refresh::Frame&, const std::string& path) override {
         log_.calls.push_back("export " + path);

@@ -8,30 +8,32 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iostream>
+#include <map>
 
 namespace vigil::test {
 namespace {
 
 class Features : public RenderTest {
 protected:
-    /// Whether `scene` says that something is on.
-    static bool says_on(const std::string& what) {
-        const std::string text = renderer().describe_scene(cvars().values());
-        const size_t at = text.find("\n  " + what);
-        EXPECT_NE(at, std::string::npos) << what << " is missing in:\n" << text;
-        const size_t word = text.find_first_not_of(' ', at + 3 + what.size());
-        return text.compare(word, 3, "on ") == 0;
-    }
-
-    static void expect_text(const vkpt::SceneFeatures& features) {
-        EXPECT_EQ(says_on("lights"), features.lights);
-        EXPECT_EQ(says_on("sky"), features.sky);
-        EXPECT_EQ(says_on("sun"), features.sun);
-        EXPECT_EQ(says_on("translucency"), features.translucent);
-        EXPECT_EQ(says_on("gloss"), features.gloss);
-        EXPECT_EQ(says_on("liquids"), features.liquid);
-        EXPECT_EQ(says_on("animation"), features.animation);
-        EXPECT_EQ(says_on("instances"), features.instances);
+    static void expect_reported(const vkpt::SceneFeatures& features) {
+        const refresh::SceneReport report = renderer().report_scene(cvars().values());
+        const std::map<std::string, bool> expected = {{"lights", features.lights},
+                                                      {"sky", features.sky},
+                                                      {"sun", features.sun},
+                                                      {"translucency", features.translucent},
+                                                      {"gloss", features.gloss},
+                                                      {"liquids", features.liquid},
+                                                      {"animation", features.animation},
+                                                      {"instances", features.instances},
+                                                      {"effects", features.effects}};
+        std::map<std::string, bool> reported;
+        for (const refresh::SceneReport::Feature& feature : report.features) {
+            reported[feature.name] = feature.on;
+            if (feature.count) {
+                EXPECT_EQ(feature.on, *feature.count > 0) << feature.name;
+            }
+        }
+        EXPECT_EQ(reported, expected);
     }
 };
 
@@ -55,7 +57,7 @@ TEST_F(Features, AreOnWhereTheLevelHasThem) {
         load(row.level);
         radiance(row.shot);
         EXPECT_EQ(renderer().scene()->features(), row.features);
-        expect_text(row.features);
+        expect_reported(row.features);
         // Compiled with everything, the same level gives the same picture but for rounding, which
         // may turn a few paths at edges. Lights stay as they are: they draw random numbers.
         vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true};
@@ -83,7 +85,7 @@ TEST_F(Features, SwitchOnWithWhatAppears) {
     shot.dynamic_lights = {{1, {120, 120, 60}, 6.0f, {5, 5, 5}}};
     radiance(shot);
     EXPECT_TRUE(renderer().scene()->features().instances);
-    expect_text(renderer().scene()->features());
+    expect_reported(renderer().scene()->features());
     shot.dynamic_lights.clear();
     radiance(shot);
     EXPECT_FALSE(renderer().scene()->features().instances);
@@ -106,7 +108,7 @@ TEST_F(Features, WithoutLightEverythingIsBlack) {
         for (const uint8_t byte : renderer().read_picture(true).rgba)
             ASSERT_TRUE(byte == 0 || byte == 255);
         EXPECT_FALSE(renderer().scene()->features().lights);
-        EXPECT_FALSE(says_on("lights"));
+        expect_reported(renderer().scene()->features());
     }
     // The first light of all is a dynamic one.
     shot.dynamic_lights = {{1, {0, 0, 60}, 6.0f, {50, 50, 50}}};
@@ -117,7 +119,8 @@ TEST_F(Features, WithoutLightEverythingIsBlack) {
         for (const float value : radiance(shot).rgb)
             sum += static_cast<double>(value);
         EXPECT_GT(sum, 0.0) << info.name;
-        EXPECT_TRUE(says_on("lights"));
+        EXPECT_TRUE(renderer().scene()->features().lights);
+        expect_reported(renderer().scene()->features());
     }
 }
 
@@ -211,7 +214,7 @@ TEST_F(Features, ABrokenLevelOrModelLeavesTheOneBefore) {
             Error);
         EXPECT_EQ(picture(), before);
     }
-    EXPECT_NE(renderer().describe_scene(cvars().values()).find("lamp"), std::string::npos);
+    EXPECT_EQ(renderer().report_scene(cvars().values()).level, "lamp");
 }
 
 } // namespace

@@ -144,7 +144,7 @@ void TimedRun::report(Session& session, const CvarRegistry& variables) const {
     }
     if (plan_.json.empty()) return;
     const std::filesystem::path path = output_path(plan_.json);
-    write_file(path, json_text(session, session.renderer().describe_device(), variables));
+    write_file(path, json_text(session, session.renderer().device_name(), variables));
     log_info("report: {}", path.string());
 }
 

@@ -38,8 +38,6 @@ public:
     const std::shared_ptr<const Level>& shared_level() const { return level_; }
     const FileSystem& files() const { return files_; }
     refresh::Renderer& renderer() { return renderer_; }
-    /// Renderer::describe_scene with the variables as they are now.
-    std::string describe_scene() const { return renderer_.describe_scene(variables_.values()); }
 
     Camera& camera() { return camera_; }
     const LevelEntities& entities() const { return entities_; }

@@ -511,8 +511,7 @@ void VkptRenderer::finish_slot(size_t slot) {
     if (slot_frames_[slot].guided) {
         guiding_work_ =
             (slot_frames_[slot].right && right_ ? *right_ : left_).guiding().statistics(slot);
-        for (const GuidingCount& count : guiding_counts(guiding_work_))
-            times.counts.push_back({std::string(count.name), count.value});
+        times.counts = guiding_counts(guiding_work_);
     }
     if (finished_times_.size() == max_finished_times) finished_times_.pop_front();
     finished_times_.push_back(std::move(times));
@@ -535,28 +534,6 @@ uint32_t VkptRenderer::nonfinite_count() const {
 
 refresh::Health VkptRenderer::health() const {
     return {nonfinite_count(), device_.validation_messages()};
-}
-
-std::string VkptRenderer::describe_scene(const refresh::Settings& settings) const {
-    if (!scene_) return "no level is loaded";
-    std::string text = scene_->describe();
-    text += fmt::format("\n  ray tracing     {}",
-                        use_ray_query(settings) ? "VK_KHR_ray_query" : "our BVH in compute");
-    text += fmt::format("\n  light sampling  {}: {}",
-                        technique_infos[static_cast<size_t>(settings.pt_nee)].name,
-                        technique_infos[static_cast<size_t>(settings.pt_nee)].help);
-    if (right_)
-        text += fmt::format("\n  compared with   {}",
-                            choice_name(compare_choices, settings.pt_compare));
-    text += fmt::format("\n  guiding         {}", guiding_line());
-    if (const uint32_t count = nonfinite_count(); count > 0)
-        text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",
-                            count);
-    return text;
-}
-
-std::string VkptRenderer::describe_device() const {
-    return device_.description();
 }
 
 void VkptRenderer::export_scene(const refresh::Frame& frame, const std::string& path) {

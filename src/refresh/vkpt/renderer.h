@@ -45,11 +45,9 @@ public:
     refresh::RadiancePicture read_radiance() override;
     std::vector<refresh::FrameTimes> take_frame_times(bool wait) override;
     refresh::Health health() const override;
-    std::string describe_scene(const refresh::Settings& settings) const override;
-    std::string describe_device() const override;
-    std::string describe_guiding() const override;
-    std::string describe_leaf() const override;
-    std::string describe_directions() const override;
+    std::string device_name() const override { return device_.description(); }
+    refresh::SceneReport report_scene(const refresh::Settings& settings) const override;
+    refresh::GuidingReport report_guiding() const override;
     void reset_guiding() override;
     void export_scene(const refresh::Frame& frame, const std::string& path) override;
 
@@ -101,11 +99,9 @@ private:
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
     void finish_slot(size_t slot);
-    /// The side that texts about the crosshair are about.
+    /// The side that reports are about.
     const Side& shown_side() const { return shown_.right && right_ ? *right_ : left_; }
     std::optional<shader::PrimaryHit> hit_under_crosshair() const;
-    std::string guiding_off_text() const; // empty if it was on in the last frame
-    std::string guiding_line() const;     // of `scene`
     ImDrawData* await_pipelines(ImDrawData* overlay);
     void show_wait(ImDrawData* overlay);
     void present(gpu::FrameCommands& commands, ImDrawData* overlay, bool vsync);
@@ -147,7 +143,7 @@ private:
     uint32_t view_accumulated_ = 0;           // the same of the view's
     std::vector<std::byte> accumulation_key_; // what both depend on, with
     refresh::Settings accumulation_settings_;
-    /// What the last frame showed, for texts about it.
+    /// What the last frame showed, for reports.
     struct Shown {
         bool right = false; // the crosshair looked at the right side
         bool guided = false;

@@ -4,8 +4,6 @@
 #include "shared/cdq.h"
 
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace vigil::vkpt {
 
@@ -28,13 +26,13 @@ float share_below(const shader::CdqCell& cell, glm::vec3 normal) {
 
 } // namespace
 
-CdqReport report_cdq(glm::uvec4 tree, uint32_t bits, glm::vec3 normal) {
-    CdqReport report;
+refresh::QuadtreeReport report_cdq(glm::uvec4 tree, uint32_t bits, glm::vec3 normal) {
+    refresh::QuadtreeReport report;
     report.bits = bits;
     const uint32_t leaves = shader::cdq_leaf_count(bits);
     for (uint32_t leaf = 0; leaf < leaves; ++leaf) {
         const shader::CdqCell cell = shader::cdq_cell(tree, shader::cdq_leaf(tree, bits, leaf));
-        CdqReport::Cell row;
+        refresh::QuadtreeReport::Cell row;
         row.direction = shader::octahedral_decode(cell.corner + 0.5f * cell.size);
         row.depth = cell.depth;
         row.density = shader::cdq_leaf_pdf(bits, cell.depth, row.direction);
@@ -45,35 +43,7 @@ CdqReport report_cdq(glm::uvec4 tree, uint32_t bits, glm::vec3 normal) {
     }
     std::ranges::stable_sort(report.cells,
                              [](const auto& a, const auto& b) { return a.density > b.density; });
-    report.most = report.cells.front().density;
-    report.least = report.cells.back().density;
     return report;
-}
-
-glm::vec2 pitch_and_yaw(glm::vec3 direction) {
-    const float level = std::hypot(direction.x, direction.y);
-    return glm::degrees(
-        glm::vec2(-std::atan2(direction.z, level), std::atan2(direction.y, direction.x)));
-}
-
-std::string cdq_text(const CdqReport& report, size_t most_cells) {
-    std::string text =
-        fmt::format("  quadtree        {} bits, {} leaves, the smallest at level {}\n", report.bits,
-                    report.cells.size(), report.deepest);
-    text += fmt::format("  density         {:.3g} to {:.3g} per steradian\n", report.least,
-                        report.most);
-    text += fmt::format("  below horizon   {:.1f} % of its draws\n", 100.0f * report.below_horizon);
-    text += "  its densest leaves (yaw from +x, pitch down positive, degrees):";
-    const size_t listed = std::min(report.cells.size(), most_cells);
-    for (size_t i = 0; i < listed; ++i) {
-        const CdqReport::Cell& cell = report.cells[i];
-        const glm::vec2 angles = pitch_and_yaw(cell.direction);
-        text += fmt::format("\n    yaw {:7.1f}  pitch {:6.1f}  level {:2}  {:.3g} per steradian",
-                            angles.y, angles.x, cell.depth, cell.density);
-    }
-    if (report.cells.size() > listed)
-        text += fmt::format("\n    and {} less dense ones", report.cells.size() - listed);
-    return text;
 }
 
 } // namespace vigil::vkpt

@@ -5,7 +5,7 @@
 
 namespace vigil::vkpt {
 
-std::vector<GuidingCount> guiding_counts(const shader::GuidingWork& work) {
+std::vector<refresh::FrameCount> guiding_counts(const shader::GuidingWork& work) {
     const auto per_cache = [&](uint32_t count) {
         return static_cast<double>(count) / std::max(work.cached_leaves, 1u);
     };

@@ -3,17 +3,12 @@
 // the names, and how a number follows from the counters (shaders/shared/guiding_types.h).
 #pragma once
 
+#include "refresh/refresh.h"
 #include "shared/guiding_types.h"
 
-#include <string_view>
 #include <vector>
 
 namespace vigil::vkpt {
-
-struct GuidingCount {
-    std::string_view name;
-    double value;
-};
 
 /// Leaves of a tree of so many inner nodes.
 inline uint32_t octree_leaf_count(uint32_t nodes) {
@@ -21,6 +16,6 @@ inline uint32_t octree_leaf_count(uint32_t nodes) {
 }
 
 /// In the order of the passes. Samples are those of the frame before the one whose passes counted.
-std::vector<GuidingCount> guiding_counts(const shader::GuidingWork& work);
+std::vector<refresh::FrameCount> guiding_counts(const shader::GuidingWork& work);
 
 } // namespace vigil::vkpt

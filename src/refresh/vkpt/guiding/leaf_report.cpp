@@ -4,9 +4,6 @@
 #include "refresh/vkpt/gpu/commands.h"
 #include "shared/octree.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 namespace vigil::vkpt {
 
 namespace {
@@ -62,24 +59,6 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
         }
     }
     return report;
-}
-
-std::string leaf_text(const LeafReport& report) {
-    const auto name = [](uint32_t leaf) {
-        return leaf == shader::NONE ? std::string("-") : std::to_string(leaf);
-    };
-    std::string text = fmt::format("leaf {}: path {}, depth {}\n", report.leaf,
-                                   fmt::join(report.path, "."), report.path.size());
-    text += fmt::format("  cube            {:.1f} {:.1f} {:.1f} and on, {:.1f} map units wide\n",
-                        report.corner.x, report.corner.y, report.corner.z, report.size);
-    text += fmt::format("  samples         {} in this frame, room for {}, {} dropped\n",
-                        report.samples, report.room, report.dropped());
-    text += fmt::format("  source          leaf {} of the frame before\n", name(report.source));
-    const auto& beyond = report.neighbours;
-    text += fmt::format("  neighbours      -x {}  +x {}  -y {}  +y {}  -z {}  +z {}",
-                        name(beyond[0]), name(beyond[1]), name(beyond[2]), name(beyond[3]),
-                        name(beyond[4]), name(beyond[5]));
-    return text;
 }
 
 } // namespace vigil::vkpt

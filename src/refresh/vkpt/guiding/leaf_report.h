@@ -4,33 +4,19 @@
 // by buckets. For commands and tests: reading waits for the GPU.
 #pragma once
 
+#include "refresh/reports.h"
 #include "refresh/vkpt/guiding/guiding.h"
 #include "shared/scene_types.h"
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <string>
 #include <vector>
 
 namespace vigil::vkpt {
 
-struct LeafReport {
-    uint32_t leaf = 0;              // index: 8 * node + child
-    std::vector<uint32_t> path;     // child numbers from the root down; as many as the leaf is deep
-    glm::vec3 corner{0.0f};         // lowest corner of its cube, map units
-    float size = 0.0f;              // edge of its cube, map units
-    uint32_t samples = 0;           // surface samples of the frame that was rendered last
-    uint32_t room = 0;              // light samples that fit, and as many ray samples
-    uint32_t rays = 0;              // of the frame that was rendered last, those that brought light
-    float explore_share = 0.0f;     // of light samples that its finds ask to search lists; 0 .. 0.9
-    glm::uvec4 guide{0};            // what its guider keeps; meaningless while pt_guide is brdf
-    uint32_t source = shader::NONE; // leaf of the tree before, from which its cache came
-    std::array<uint32_t, 6> neighbours{};       // beyond -x +x -y +y -z +z; NONE outside the root
+struct LeafReport : refresh::OctreeLeaf {
+    glm::uvec4 guide{0}; // what its guider keeps; meaningless while pt_guide is brdf
     std::vector<std::vector<uint32_t>> buckets; // light ids
-
-    /// Samples that the leaf had no room for.
-    uint32_t dropped() const { return samples > room ? samples - room : 0; }
 };
 
 /// A tree on the host, as the last frame left it, and the light ids of its caches.
@@ -51,8 +37,5 @@ private:
     shader::GuidingHeader header_;
     std::vector<uint32_t> nodes_, leaves_, vlc_lights_;
 };
-
-/// Lines of text about the leaf, without its buckets.
-std::string leaf_text(const LeafReport& report);
 
 } // namespace vigil::vkpt

@@ -449,65 +449,52 @@ Scene::TriangleRange Scene::instance_triangles(size_t instance) const {
     return {placed.first_triangle, placed.triangle_count};
 }
 
-std::string Scene::describe() const {
-    const auto row = [](bool on, std::string_view what, const std::string& why) {
-        return fmt::format("  {:<16}{:<5}{}\n", what, on ? "on" : "off", why);
+refresh::SceneReport Scene::report() const {
+    const std::vector<shader::Material>& materials = materials_->materials();
+    const auto flagged = [&](uint32_t flags) -> uint64_t {
+        return std::ranges::count_if(
+            materials, [&](const shader::Material& m) { return (m.flags & flags) != 0; });
     };
-    const auto count_material = [&](uint32_t flags) {
-        return std::count_if(materials_->materials().begin(), materials_->materials().end(),
-                             [&](const shader::Material& m) { return (m.flags & flags) != 0; });
-    };
-    const auto translucent =
-        std::count_if(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
+    const uint64_t translucent =
+        std::ranges::count_if(triangles_, [](const shader::BvhTriangle& t) {
             return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
         });
-    std::string text = fmt::format("{}: {} triangles, {} materials, {} textures, {} lights ({} of "
-                                   "the static world), {} instances\n",
-                                   level_->name, triangles_.size(), materials_->materials().size(),
-                                   textures_->headers().size(), lights_.lights().size(),
-                                   lights_.static_count(), instances_.size());
-    text += row(features_.lights, "lights",
-                fmt::format("{} emissive triangles", lights_.lights().size()));
-    text += row(features_.sky, "sky",
-                features_.sky ? fmt::format("faces show sky \"{}\"{}", sky_.name,
-                                            sky_.texture ? "" : " (no pictures: an even colour)")
-                              : "no sky faces");
-    text += row(features_.sun, "sun",
-                features_.sun ? "worldspawn has _sun_light" : "no _sun_light, or no sky faces");
-    text += row(features_.translucent, "translucency", fmt::format("{} triangles", translucent));
-    text += row(features_.gloss, "gloss",
-                fmt::format("{} materials", count_material(shader::MATERIAL_GLOSSY)));
-    text += row(features_.liquid, "liquids",
-                fmt::format("{} warping or flowing materials",
-                            count_material(shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)));
-    text += row(
-        features_.animation, "animation",
-        fmt::format("{} animated materials",
-                    std::count_if(materials_->materials().begin(), materials_->materials().end(),
-                                  [](const shader::Material& m) { return m.frame_count > 1; })));
-    text += row(
-        features_.instances, "instances",
-        fmt::format("{} besides the static world", instances_.empty() ? 0 : instances_.size() - 1));
-    text += row(features_.effects, "effects",
-                "entities that fade, glow, are sprites or hidden from some rays");
-    uint64_t bytes = 0;
+    const uint64_t animated = std::ranges::count_if(
+        materials, [](const shader::Material& m) { return m.frame_count > 1; });
+    refresh::SceneReport report;
+    report.level = level_->name;
+    report.triangles = triangles_.size();
+    report.materials = materials.size();
+    report.textures = textures_->headers().size();
+    report.instances = instances_.size();
+    report.lights = lights_.lights().size();
+    report.static_lights = lights_.static_count();
+    report.features = {
+        {"lights", features_.lights, "emissive triangles", report.lights},
+        {"sky", features_.sky,
+         !features_.sky ? "no sky faces"
+                        : fmt::format("faces show sky \"{}\"{}", sky_.name,
+                                      sky_.texture ? "" : " (no pictures: an even colour)")},
+        {"sun", features_.sun,
+         features_.sun ? "worldspawn has _sun_light" : "no _sun_light, or no sky faces"},
+        {"translucency", features_.translucent, "triangles", translucent},
+        {"gloss", features_.gloss, "materials", flagged(shader::MATERIAL_GLOSSY)},
+        {"liquids", features_.liquid, "warping or flowing materials",
+         flagged(shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)},
+        {"animation", features_.animation, "animated materials", animated},
+        {"instances", features_.instances, "besides the static world",
+         instances_.empty() ? 0 : instances_.size() - 1},
+        {"effects", features_.effects,
+         "entities that fade, glow, are sprites or hidden from some rays"}};
+    report.missing_textures = textures_->missing();
+    report.ray_query_bytes = ray_query_ ? ray_query_->bytes() : 0;
+    report.bytes = report.ray_query_bytes;
     for (const gpu::Buffer* buffer :
          {&nodes_buffer_, &triangles_buffer_, &primitives_buffer_, &top_buffer_, &instances_buffer_,
           &materials_buffer_, &textures_buffer_, &texels_buffer_, &lights_buffer_,
           &cluster_buffer_})
-        bytes += buffer->bytes();
-    const uint64_t query_bytes = ray_query_ ? ray_query_->bytes() : 0;
-    text += fmt::format("  scene memory    {:.1f} MiB",
-                        static_cast<double>(bytes + query_bytes) / 1048576.0);
-    if (ray_query_)
-        text += fmt::format(", {:.1f} MiB of it for ray queries",
-                            static_cast<double>(query_bytes) / 1048576.0);
-    if (!textures_->missing().empty()) {
-        text += fmt::format("\n  {} missing textures:", textures_->missing().size());
-        for (const std::string& name : textures_->missing())
-            text += " " + name;
-    }
-    return text;
+        report.bytes += buffer->bytes();
+    return report;
 }
 
 } // namespace vigil::vkpt

@@ -86,7 +86,7 @@ public:
     const Bounds& world_bounds() const { return placed_.front().bounds; }
     /// Grows whenever anything that a picture shows differs from the frame before.
     uint64_t revision() const { return revision_; }
-    std::string describe() const;
+    refresh::SceneReport report() const;
 
     const NodeView& nodes() const { return node_view_; }
     const gpu::Buffer& triangles() const { return triangles_buffer_; }
