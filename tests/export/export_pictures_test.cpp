@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The sky panorama: directions, sides and radiance agree with formats/sky.h, all around and at the
 // seams; the file comes back from tinyexr's reader.
-#include "refresh/vkpt/export_pictures.h"
+#include "refresh/vkpt/export/export_pictures.h"
 
 #include "export_folder.h"
 #include "formats/sky.h"

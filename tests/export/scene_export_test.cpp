@@ -2,7 +2,7 @@
 // Exported scenes are read back with a reader that shares no code with the writer (tinygltf), or as
 // JSON where extensions matter: geometry, bounds, places, emission, camera, sun, sky, and what is
 // left on the disk after a failure.
-#include "refresh/vkpt/scene_export.h"
+#include "refresh/vkpt/export/scene_export.h"
 
 #include "common/error.h"
 #include "export_folder.h"

@@ -2,7 +2,7 @@
 // The overlay on a device with core and synchronisation validation: what it draws lands where ImGui
 // put it, the rest of the picture stays, and nothing is reported, over changing picture sizes and
 // rebuilt fonts. The look of widgets is ImGui's own business.
-#include "refresh/vkpt/overlay.h"
+#include "refresh/vkpt/post/overlay.h"
 
 #include "gpu/validated.h"
 #include "refresh/vkpt/gpu/commands.h"

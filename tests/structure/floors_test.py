@@ -27,7 +27,7 @@ FLOORS = [
     ["src/refresh/vkpt/scene", "src/client/measure"],
     ["src/refresh/vkpt/light", "src/refresh/vkpt/guiding", "src/client/play"],
     ["src/refresh/vkpt/pathtrace", "src/client/demo", "src/client/ui"],
-    ["src/refresh/vkpt/post", "src/refresh/vkpt/debug"],
+    ["src/refresh/vkpt/post", "src/refresh/vkpt/debug", "src/refresh/vkpt/export"],
     ["src/refresh/vkpt", "src/client"],
     ["src/bench"],
     ["src"],

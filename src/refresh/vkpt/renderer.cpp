@@ -6,7 +6,7 @@
 #include "common/output.h"
 #include "common/stopwatch.h"
 #include "level/level.h"
-#include "refresh/vkpt/export_source.h"
+#include "refresh/vkpt/export/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/gpu/first_dispatch.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"

@@ -7,11 +7,11 @@
 #include "refresh/vkpt/debug/direction_map.h"
 #include "refresh/vkpt/debug/legend.h"
 #include "refresh/vkpt/debug/side_labels.h"
-#include "refresh/vkpt/draws.h"
 #include "refresh/vkpt/gpu/swapchain.h"
 #include "refresh/vkpt/light/light_lists.h"
-#include "refresh/vkpt/overlay.h"
 #include "refresh/vkpt/pathtrace/pathtracer.h"
+#include "refresh/vkpt/post/draws.h"
+#include "refresh/vkpt/post/overlay.h"
 #include "refresh/vkpt/post/post.h"
 #include "refresh/vkpt/side.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/export_pictures.h"
+#include "refresh/vkpt/export/export_pictures.h"
 
 #include "common/error.h"
 #include "formats/sky.h"

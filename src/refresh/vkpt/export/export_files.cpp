@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/export_files.h"
+#include "refresh/vkpt/export/export_files.h"
 
 #include <cctype>
 #include <cstring>

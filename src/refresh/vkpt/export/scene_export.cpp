@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/scene_export.h"
+#include "refresh/vkpt/export/scene_export.h"
 
 #include "common/error.h"
 #include "common/output.h"
-#include "refresh/vkpt/export_files.h"
-#include "refresh/vkpt/export_pictures.h"
+#include "refresh/vkpt/export/export_files.h"
+#include "refresh/vkpt/export/export_pictures.h"
 
 #include <algorithm>
 #include <cmath>

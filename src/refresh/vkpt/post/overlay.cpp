@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/overlay.h"
+#include "refresh/vkpt/post/overlay.h"
 
 #include "common/error.h"
 #include "refresh/vkpt/gpu/commands.h"

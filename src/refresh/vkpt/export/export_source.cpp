@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/export_source.h"
+#include "refresh/vkpt/export/export_source.h"
 
 #include "formats/sky.h"
 #include "level/level.h"

@@ -2,7 +2,7 @@
 // Turns the scene of a frame into what scene_export.h writes.
 #pragma once
 
-#include "refresh/vkpt/scene_export.h"
+#include "refresh/vkpt/export/scene_export.h"
 #include "shared/frame_params.h"
 
 namespace vigil::vkpt {

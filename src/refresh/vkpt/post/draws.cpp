@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/draws.h"
+#include "refresh/vkpt/post/draws.h"
 
 #include "common/error.h"
 #include "formats/image.h"

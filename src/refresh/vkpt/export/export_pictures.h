@@ -3,7 +3,7 @@
 // equirectangular OpenEXR panorama (32-bit radiance, tinyexr). It chooses no names.
 #pragma once
 
-#include "refresh/vkpt/scene_export.h"
+#include "refresh/vkpt/export/scene_export.h"
 
 #include <cstddef>
 #include <filesystem>
