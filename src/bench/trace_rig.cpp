@@ -58,8 +58,8 @@ void TraceRig::finish(bool translucent) {
     if (texels) types[BINDING_BVH_NODES] = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     scene_set_ = gpu::DescriptorSet(device_, types, unused_, "scene");
     if (texels) {
-        node_view_ = vkpt::NodeView(device_, node_buffer_);
-        node_view_.bind(scene_set_.handle(), BINDING_BVH_NODES);
+        node_view_ = gpu::make_texel_view(device_, node_buffer_, "nodes");
+        scene_set_.bind(BINDING_BVH_NODES, node_view_.get());
     } else {
         scene_set_.bind(BINDING_BVH_NODES, node_buffer_);
     }

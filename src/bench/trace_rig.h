@@ -6,7 +6,6 @@
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/gpu/pipeline.h"
 #include "refresh/vkpt/scene/bvh_builder.h"
-#include "refresh/vkpt/scene/node_view.h"
 #include "refresh/vkpt/scene/top_level.h"
 #include "trace/ray_answer.h"
 
@@ -66,7 +65,7 @@ private:
     std::vector<shader::BvhTriangle> triangles_;
     std::vector<Source> sources_;
     gpu::Buffer unused_, node_buffer_, triangle_buffer_, top_buffer_;
-    vkpt::NodeView node_view_;
+    gpu::Handle<VkBufferView> node_view_;
     gpu::DescriptorSet scene_set_, layout_set_;
     gpu::PipelineLayout layout_;
     gpu::ComputePipeline closest_, any_;

@@ -23,28 +23,23 @@ Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* 
     if (use == MemoryUse::Device && bytes_ > device.features().max_storage_buffer_bytes)
         fail("{} needs {}, but this device's buffers end at {}", name, size_text(bytes_),
              size_text(device.features().max_storage_buffer_bytes));
-    VkBufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    auto info = structure<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
     info.size = bytes_;
     info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | extra_usage;
     if (use == MemoryUse::Device) info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    VkBuffer buffer = VK_NULL_HANDLE;
-    check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "vkCreateBuffer");
-    buffer_ = {device.handle(), buffer, vkDestroyBuffer};
-    device.set_name(VK_OBJECT_TYPE_BUFFER, buffer, name);
+    buffer_ = device.make(vkCreateBuffer, vkDestroyBuffer, info, "vkCreateBuffer",
+                          VK_OBJECT_TYPE_BUFFER, name);
 
     VkMemoryRequirements needs;
-    vkGetBufferMemoryRequirements(device.handle(), buffer, &needs);
+    vkGetBufferMemoryRequirements(device.handle(), buffer_.get(), &needs);
     VkMemoryPropertyFlags wanted =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     VkMemoryPropertyFlags preferred = 0;
     if (use == MemoryUse::Device) wanted = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     if (use == MemoryUse::Readback) preferred = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-    VkMemoryAllocateFlagsInfo flags{};
-    flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+    auto flags = structure<VkMemoryAllocateFlagsInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO);
     flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
-    VkMemoryAllocateInfo allocate{};
-    allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    auto allocate = structure<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
     if (extra_usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) allocate.pNext = &flags;
     allocate.allocationSize = needs.size;
     allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, wanted, preferred);
@@ -52,12 +47,25 @@ Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* 
     const VkResult result = vkAllocateMemory(device.handle(), &allocate, nullptr, &memory);
     if (result != VK_SUCCESS) fail("out of device memory: {} needs {}", name, size_text(bytes_));
     memory_ = {device.handle(), memory, vkFreeMemory};
-    check(vkBindBufferMemory(device.handle(), buffer, memory, 0), "vkBindBufferMemory");
+    check(vkBindBufferMemory(device.handle(), buffer_.get(), memory, 0), "vkBindBufferMemory");
     if (use != MemoryUse::Device) {
         void* pointer = nullptr;
         check(vkMapMemory(device.handle(), memory, 0, VK_WHOLE_SIZE, 0, &pointer), "vkMapMemory");
         mapped_ = static_cast<std::byte*>(pointer);
     }
+}
+
+Handle<VkBufferView> make_texel_view(const Device& device, const Buffer& buffer, const char* name) {
+    constexpr uint64_t texel_bytes = 16;
+    const uint32_t limit = device.properties().limits.maxTexelBufferElements;
+    if (buffer.bytes() / texel_bytes > limit)
+        fail("{} need {}, but this device reads at most {} texels of {} bytes", name,
+             size_text(buffer.bytes()), limit, texel_bytes);
+    auto info = structure<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
+    info.buffer = buffer.handle();
+    info.format = VK_FORMAT_R32G32B32A32_UINT;
+    info.range = VK_WHOLE_SIZE;
+    return device.make(vkCreateBufferView, vkDestroyBufferView, info, "vkCreateBufferView");
 }
 
 } // namespace vigil::gpu

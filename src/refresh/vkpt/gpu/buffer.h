@@ -41,6 +41,11 @@ private:
     std::byte* mapped_ = nullptr;
 };
 
+/// A buffer made with VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT as texels of format
+/// R32G32B32A32_UINT; it outlives the view. Vulkan promises 65,536 texels (1 MiB), drivers in use
+/// offer millions. Throws Error with `name` when the device's texel buffers are too short for it.
+Handle<VkBufferView> make_texel_view(const Device& device, const Buffer& buffer, const char* name);
+
 /// Views any contiguous range of trivially copyable values as bytes.
 template <typename Range> std::span<const std::byte> bytes_of(const Range& range) {
     return std::as_bytes(std::span(range));

@@ -11,18 +11,15 @@ namespace {
 constexpr uint64_t staging_chunk_bytes = 4u << 20;
 
 Handle<VkCommandPool> make_pool(const Device& device) {
-    VkCommandPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+    auto info = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
     info.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
     info.queueFamilyIndex = device.queue_family();
-    VkCommandPool pool = VK_NULL_HANDLE;
-    check(vkCreateCommandPool(device.handle(), &info, nullptr, &pool), "vkCreateCommandPool");
-    return {device.handle(), pool, vkDestroyCommandPool};
+    return device.make(vkCreateCommandPool, vkDestroyCommandPool, info, "vkCreateCommandPool");
 }
 
 VkCommandBuffer allocate_commands(const Device& device, VkCommandPool pool) {
-    VkCommandBufferAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+    auto info =
+        structure<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
     info.commandPool = pool;
     info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     info.commandBufferCount = 1;
@@ -32,25 +29,20 @@ VkCommandBuffer allocate_commands(const Device& device, VkCommandPool pool) {
 }
 
 void begin_once(VkCommandBuffer commands) {
-    VkCommandBufferBeginInfo begin{};
-    begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    auto begin = structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
 }
 
 Handle<VkFence> make_fence(const Device& device) {
-    VkFenceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-    VkFence fence = VK_NULL_HANDLE;
-    check(vkCreateFence(device.handle(), &info, nullptr, &fence), "vkCreateFence");
-    return {device.handle(), fence, vkDestroyFence};
+    auto info = structure<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
+    return device.make(vkCreateFence, vkDestroyFence, info, "vkCreateFence");
 }
 
 } // namespace
 
 void barrier(VkCommandBuffer commands, Access earlier, Access later) {
-    VkMemoryBarrier memory{};
-    memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    auto memory = structure<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
     memory.srcAccessMask = earlier.kinds;
     memory.dstAccessMask = later.kinds;
     vkCmdPipelineBarrier(commands, earlier.stages, later.stages, 0, 1, &memory, 0, nullptr, 0,
@@ -66,8 +58,7 @@ void run_now(const Device& device, const std::function<void(VkCommandBuffer)>& r
     barrier(commands, access_of_copies, access_of_host);
     check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
     const Handle<VkFence> fence = make_fence(device);
-    VkSubmitInfo submit{};
-    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+    auto submit = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands;
     check(vkQueueSubmit(device.queue(), 1, &submit, fence.get()), "vkQueueSubmit");
@@ -139,8 +130,7 @@ void FrameCommands::begin() {
 
 void FrameCommands::submit(VkSemaphore wait, VkPipelineStageFlags wait_stage, VkSemaphore signal) {
     check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
-    VkSubmitInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+    auto info = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
     info.waitSemaphoreCount = wait ? 1u : 0u;
     info.pWaitSemaphores = &wait;
     info.pWaitDstStageMask = &wait_stage;

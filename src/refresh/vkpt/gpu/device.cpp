@@ -14,6 +14,9 @@ namespace vigil::gpu {
 namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+constexpr const char* query_extensions[] = {VK_KHR_RAY_QUERY_EXTENSION_NAME,
+                                            VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
 
 const char* result_name(VkResult result) {
     switch (result) {
@@ -41,10 +44,8 @@ const char* result_name(VkResult result) {
 }
 
 bool has_layer(const char* name) {
-    uint32_t count = 0;
-    vkEnumerateInstanceLayerProperties(&count, nullptr);
-    std::vector<VkLayerProperties> layers(count);
-    vkEnumerateInstanceLayerProperties(&count, layers.data());
+    const auto layers = enumerate<VkLayerProperties>("vkEnumerateInstanceLayerProperties",
+                                                     vkEnumerateInstanceLayerProperties);
     return std::any_of(layers.begin(), layers.end(), [&](const VkLayerProperties& layer) {
         return std::strcmp(layer.layerName, name) == 0;
     });
@@ -57,19 +58,15 @@ bool has_extension(const std::vector<VkExtensionProperties>& list, const char* n
 }
 
 std::vector<VkExtensionProperties> instance_extensions() {
-    uint32_t count = 0;
-    vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> list(count);
-    vkEnumerateInstanceExtensionProperties(nullptr, &count, list.data());
-    return list;
+    const char* const layer = nullptr;
+    return enumerate<VkExtensionProperties>("vkEnumerateInstanceExtensionProperties",
+                                            vkEnumerateInstanceExtensionProperties, layer);
 }
 
 std::vector<VkExtensionProperties> device_extensions(VkPhysicalDevice device) {
-    uint32_t count = 0;
-    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> list(count);
-    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, list.data());
-    return list;
+    const char* const layer = nullptr;
+    return enumerate<VkExtensionProperties>("vkEnumerateDeviceExtensionProperties",
+                                            vkEnumerateDeviceExtensionProperties, device, layer);
 }
 
 int type_rank(VkPhysicalDeviceType type) {
@@ -87,14 +84,19 @@ int type_rank(VkPhysicalDeviceType type) {
     }
 }
 
-/// Index of a queue family that does graphics, compute and (with a surface) presentation; -1 if
-/// none.
-int find_queue_family(VkPhysicalDevice device, VkSurfaceKHR surface) {
+std::vector<VkQueueFamilyProperties> queue_families(VkPhysicalDevice device) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-    for (uint32_t i = 0; i < count; ++i) {
+    return families;
+}
+
+/// Index of a queue family that does graphics, compute and (with a surface) presentation; -1 if
+/// none.
+int find_queue_family(VkPhysicalDevice device, VkSurfaceKHR surface) {
+    const std::vector<VkQueueFamilyProperties> families = queue_families(device);
+    for (uint32_t i = 0; i < families.size(); ++i) {
         const VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
         if ((families[i].queueFlags & wanted) != wanted) continue;
         VkBool32 present = VK_TRUE;
@@ -110,11 +112,10 @@ std::string missing_from(VkPhysicalDevice device, VkSurfaceKHR surface) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(device, &properties);
     if (properties.apiVersion < VK_API_VERSION_1_2) return "Vulkan 1.2";
-    VkPhysicalDeviceVulkan12Features features12{};
-    features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &features12;
+    auto features12 = structure<VkPhysicalDeviceVulkan12Features>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
+    auto features = structure<VkPhysicalDeviceFeatures2>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features12);
     vkGetPhysicalDeviceFeatures2(device, &features);
     if (!features12.scalarBlockLayout) return "scalarBlockLayout";
     if (find_queue_family(device, surface) < 0)
@@ -167,13 +168,12 @@ void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvi
     for (const std::string& name : names)
         extensions.push_back(name.c_str());
 
-    VkApplicationInfo application{};
-    application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+    auto application = structure<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
     application.pApplicationName = "Vigil";
     application.apiVersion = VK_API_VERSION_1_2;
 
-    VkDebugUtilsMessengerCreateInfoEXT messenger{};
-    messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    auto messenger = structure<VkDebugUtilsMessengerCreateInfoEXT>(
+        VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
     messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                                 VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
@@ -186,14 +186,12 @@ void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvi
     constexpr VkValidationFeatureEnableEXT more[] = {
         VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT,
         VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT};
-    VkValidationFeaturesEXT validation{};
-    validation.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
+    auto validation = structure<VkValidationFeaturesEXT>(VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT);
     validation.enabledValidationFeatureCount = 1;
     if (options.validation > 1)
         validation.pEnabledValidationFeatures = &more[options.validation - 2];
 
-    VkInstanceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    auto info = structure<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
     info.pApplicationInfo = &application;
     info.enabledLayerCount = static_cast<uint32_t>(layers.size());
     info.ppEnabledLayerNames = layers.data();
@@ -278,53 +276,44 @@ void Device::create_device(const DeviceOptions& options) {
     if (surface_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 
     // Find out what the device offers.
-    VkPhysicalDeviceRayQueryFeaturesKHR ray_query{};
-    ray_query.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
-    VkPhysicalDeviceAccelerationStructureFeaturesKHR acceleration{};
-    acceleration.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
-    acceleration.pNext = &ray_query;
-    const bool query_extensions =
-        options.allow_ray_query && has_extension(available, VK_KHR_RAY_QUERY_EXTENSION_NAME) &&
-        has_extension(available, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME) &&
-        has_extension(available, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME);
-    VkPhysicalDeviceVulkan12Features offered12{};
-    offered12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    if (query_extensions) offered12.pNext = &acceleration;
-    VkPhysicalDeviceFeatures2 offered{};
-    offered.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    offered.pNext = &offered12;
+    auto ray_query = structure<VkPhysicalDeviceRayQueryFeaturesKHR>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR);
+    auto acceleration = structure<VkPhysicalDeviceAccelerationStructureFeaturesKHR>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR, &ray_query);
+    const bool may_query =
+        options.allow_ray_query && std::ranges::all_of(query_extensions, [&](const char* name) {
+            return has_extension(available, name);
+        });
+    auto offered12 = structure<VkPhysicalDeviceVulkan12Features>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
+    if (may_query) offered12.pNext = &acceleration;
+    auto offered = structure<VkPhysicalDeviceFeatures2>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &offered12);
     vkGetPhysicalDeviceFeatures2(physical_, &offered);
-    features_.ray_query = query_extensions && ray_query.rayQuery &&
-                          acceleration.accelerationStructure && offered12.bufferDeviceAddress;
+    features_.ray_query = may_query && ray_query.rayQuery && acceleration.accelerationStructure &&
+                          offered12.bufferDeviceAddress;
 
     // Ask for just what Vigil uses.
-    VkPhysicalDeviceVulkan12Features wanted12{};
-    wanted12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    auto wanted12 = structure<VkPhysicalDeviceVulkan12Features>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
     wanted12.scalarBlockLayout = VK_TRUE;
-    VkPhysicalDeviceFeatures2 wanted{};
-    wanted.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    wanted.pNext = &wanted12;
+    auto wanted = structure<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
+                                                       &wanted12);
     if (features_.ray_query) {
-        extensions.insert(extensions.end(), {VK_KHR_RAY_QUERY_EXTENSION_NAME,
-                                             VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-                                             VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME});
+        extensions.insert(extensions.end(), std::begin(query_extensions),
+                          std::end(query_extensions));
         wanted12.bufferDeviceAddress = VK_TRUE;
-        acceleration = {};
-        acceleration.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
+        acceleration = structure<VkPhysicalDeviceAccelerationStructureFeaturesKHR>(
+            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR, &ray_query);
         acceleration.accelerationStructure = VK_TRUE;
-        acceleration.pNext = &ray_query;
-        ray_query.rayQuery = VK_TRUE;
         wanted12.pNext = &acceleration;
     }
     const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queue{};
-    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+    auto queue = structure<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
     queue.queueFamilyIndex = queue_family_;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    VkDeviceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-    info.pNext = &wanted;
+    auto info = structure<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &wanted);
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
@@ -333,14 +322,12 @@ void Device::create_device(const DeviceOptions& options) {
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
 
     // Note the limits other modules ask for.
-    VkPhysicalDeviceDriverProperties driver{};
-    driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
-    VkPhysicalDeviceSubgroupProperties subgroup{};
-    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
-    subgroup.pNext = &driver;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &subgroup;
+    auto driver = structure<VkPhysicalDeviceDriverProperties>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
+    auto subgroup = structure<VkPhysicalDeviceSubgroupProperties>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES, &driver);
+    auto properties = structure<VkPhysicalDeviceProperties2>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &subgroup);
     vkGetPhysicalDeviceProperties2(physical_, &properties);
     driver_info_ = driver.driverInfo;
     // "Mesa 25.0.7 (LLVM 15.0.6)"; driverVersion does not tell.
@@ -355,11 +342,7 @@ void Device::create_device(const DeviceOptions& options) {
                               (subgroup.supportedOperations & sums) == sums;
     features_.shared_memory_bytes = properties_.limits.maxComputeSharedMemorySize;
     features_.max_storage_buffer_bytes = properties_.limits.maxStorageBufferRange;
-    uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
-    features_.timestamp_bits = families[queue_family_].timestampValidBits;
+    features_.timestamp_bits = queue_families(physical_)[queue_family_].timestampValidBits;
     if (features_.timestamp_bits > 0)
         features_.timestamp_period_ns = properties_.limits.timestampPeriod;
 }
@@ -389,8 +372,8 @@ void Device::wait_idle() const {
 void Device::set_name_raw(VkObjectType type, uint64_t handle, std::string_view name) const {
     if (!set_object_name_) return;
     const std::string text(name);
-    VkDebugUtilsObjectNameInfoEXT info{};
-    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;
+    auto info = structure<VkDebugUtilsObjectNameInfoEXT>(
+        VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT);
     info.objectType = type;
     info.objectHandle = handle;
     info.pObjectName = text.c_str();
@@ -399,8 +382,7 @@ void Device::set_name_raw(VkObjectType type, uint64_t handle, std::string_view n
 
 void Device::begin_label(VkCommandBuffer commands, const char* name) const {
     if (!begin_label_) return;
-    VkDebugUtilsLabelEXT label{};
-    label.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT;
+    auto label = structure<VkDebugUtilsLabelEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT);
     label.pLabelName = name;
     begin_label_(commands, &label);
 }

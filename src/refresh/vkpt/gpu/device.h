@@ -23,6 +23,16 @@ namespace vigil::gpu {
 /// exhausted memory say what a person can do.
 void check(VkResult result, std::string_view call);
 
+/// All that one of Vulkan's enumerations (`call`) lists for these arguments. Throws Error.
+template <typename T, typename Function, typename... Arguments>
+std::vector<T> enumerate(std::string_view call, Function function, Arguments... arguments) {
+    uint32_t count = 0;
+    check(function(arguments..., &count, nullptr), call);
+    std::vector<T> list(count);
+    check(function(arguments..., &count, list.data()), call);
+    return list;
+}
+
 struct DeviceOptions {
     std::string name;         // part of the device's name, or its index; empty: the best one
     int validation = 0;       // 0 off, 1 core, 2 core and synchronisation, 3 core and GPU-assisted
@@ -73,6 +83,19 @@ public:
                          VkMemoryPropertyFlags preferred = 0) const;
 
     void wait_idle() const;
+
+    /// An object of the device as `create` (`call`, vkCreateX or the like) makes it from `info`;
+    /// `destroy` is what ends it; `type` and `name` are for debuggers. Throws Error.
+    template <typename T, typename Info>
+    Handle<T> make(VkResult(VKAPI_PTR* create)(VkDevice, const Info*, const VkAllocationCallbacks*,
+                                               T*),
+                   typename Handle<T>::Destroy destroy, const Info& info, std::string_view call,
+                   VkObjectType type = VK_OBJECT_TYPE_UNKNOWN, std::string_view name = {}) const {
+        T handle = VK_NULL_HANDLE;
+        check(create(device_, &info, nullptr, &handle), call);
+        if (!name.empty()) set_name(type, handle, name);
+        return {device_, handle, destroy};
+    }
 
     template <typename T> void set_name(VkObjectType type, T handle, std::string_view name) const {
         set_name_raw(type, reinterpret_cast<uint64_t>(handle), name);

@@ -9,22 +9,14 @@ FirstDispatch::FirstDispatch(const Device& device, FrameCommands& commands, cons
     : device_(device), commands_(commands),
       buffer_(device, 16, MemoryUse::Device, "unused", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
       texels_(device, 16, MemoryUse::Device, "unused texels",
-              VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) {
-    VkBufferViewCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
-    info.buffer = texels_.handle();
-    info.format = VK_FORMAT_R32G32B32A32_UINT;
-    info.range = VK_WHOLE_SIZE;
-    VkBufferView view = VK_NULL_HANDLE;
-    check(vkCreateBufferView(device.handle(), &info, nullptr, &view), "vkCreateBufferView");
-    view_ = {device.handle(), view, vkDestroyBufferView};
-
+              VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
+      view_(make_texel_view(device, texels_, "unused texels")) {
     std::vector<VkDescriptorSet> handles;
     for (const std::vector<VkDescriptorType>& types : job.layout->sets()) {
         DescriptorSet& set = sets_.emplace_back(device, types, buffer_, "unused");
         for (uint32_t i = 0; i < types.size(); ++i) {
             if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) set.bind(i, buffer_);
-            if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) set.bind(i, view);
+            if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) set.bind(i, view_.get());
         }
         handles.push_back(set.handle());
     }

@@ -14,13 +14,11 @@ GpuTimer::GpuTimer(const Device& device) : device_(&device) {
 }
 
 void GpuTimer::add_pool() {
-    VkQueryPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+    auto info = structure<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
     info.queryCount = 2 * marks_per_pool;
-    VkQueryPool pool = VK_NULL_HANDLE;
-    check(vkCreateQueryPool(device_->handle(), &info, nullptr, &pool), "vkCreateQueryPool");
-    pools_.emplace_back(device_->handle(), pool, vkDestroyQueryPool);
+    pools_.push_back(
+        device_->make(vkCreateQueryPool, vkDestroyQueryPool, info, "vkCreateQueryPool"));
 }
 
 void GpuTimer::begin(VkCommandBuffer commands) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // RAII for Vulkan handles: Handle<T> owns one device- or instance-level object and destroys it with
-// the function it was given. Movable, not copyable.
+// the function it was given. Movable, not copyable. Also structure(), for what Vulkan is told.
 #pragma once
 
 #include <utility>
@@ -45,6 +45,14 @@ private:
     T handle_ = VK_NULL_HANDLE;
     Destroy destroy_ = nullptr;
 };
+
+/// A Vulkan structure of this type, continued by `next`, with all else zero.
+template <typename T> T structure(VkStructureType type, void* next = nullptr) {
+    T made{};
+    made.sType = type;
+    made.pNext = next;
+    return made;
+}
 
 template <typename T> using Handle = OwnedHandle<VkDevice, T>;
 template <typename T> using InstanceHandle = OwnedHandle<VkInstance, T>;

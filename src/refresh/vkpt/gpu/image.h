@@ -28,7 +28,15 @@ private:
     uint32_t height_ = 0;
 };
 
-/// Records a layout transition of a whole colour image with a full memory barrier.
+/// What touches an image, how, and in which layout.
+struct ImageAccess {
+    VkPipelineStageFlags stages;
+    VkAccessFlags kinds;
+    VkImageLayout layout;
+};
+/// Records a layout transition of a whole colour image.
+void transition(VkCommandBuffer commands, VkImage image, ImageAccess from, ImageAccess to);
+/// The same with a full memory barrier.
 void transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to);
 
 } // namespace vigil::gpu

@@ -49,13 +49,11 @@ PipelineCache::PipelineCache(const Device& device, std::filesystem::path file)
         data = {};
     }
     loaded_bytes_ = data.size();
-    VkPipelineCacheCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+    auto info = structure<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
     info.initialDataSize = data.size();
     info.pInitialData = data.data();
-    VkPipelineCache cache = VK_NULL_HANDLE;
-    check(vkCreatePipelineCache(device.handle(), &info, nullptr, &cache), "vkCreatePipelineCache");
-    cache_ = {device.handle(), cache, vkDestroyPipelineCache};
+    cache_ =
+        device.make(vkCreatePipelineCache, vkDestroyPipelineCache, info, "vkCreatePipelineCache");
 }
 
 PipelineCache::~PipelineCache() {
@@ -87,28 +85,25 @@ DescriptorSet::DescriptorSet(const Device& device, std::span<const VkDescriptorT
         bindings.push_back(binding);
         sizes.push_back({types_[i], 1});
     }
-    VkDescriptorSetLayoutCreateInfo layout_info{};
-    layout_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    auto layout_info = structure<VkDescriptorSetLayoutCreateInfo>(
+        VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
     layout_info.bindingCount = static_cast<uint32_t>(bindings.size());
     layout_info.pBindings = bindings.data();
-    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    check(vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout),
-          "vkCreateDescriptorSetLayout");
-    layout_ = {device.handle(), layout, vkDestroyDescriptorSetLayout};
+    layout_ = device.make(vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout, layout_info,
+                          "vkCreateDescriptorSetLayout");
 
-    VkDescriptorPoolCreateInfo pool_info{};
-    pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    auto pool_info =
+        structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
     pool_info.maxSets = 1;
     pool_info.poolSizeCount = static_cast<uint32_t>(sizes.size());
     pool_info.pPoolSizes = sizes.data();
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    check(vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool),
-          "vkCreateDescriptorPool");
-    pool_ = {device.handle(), pool, vkDestroyDescriptorPool};
+    pool_ = device.make(vkCreateDescriptorPool, vkDestroyDescriptorPool, pool_info,
+                        "vkCreateDescriptorPool");
 
-    VkDescriptorSetAllocateInfo allocate{};
-    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    allocate.descriptorPool = pool;
+    const VkDescriptorSetLayout layout = layout_.get();
+    auto allocate =
+        structure<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
+    allocate.descriptorPool = pool_.get();
     allocate.descriptorSetCount = 1;
     allocate.pSetLayouts = &layout;
     check(vkAllocateDescriptorSets(device.handle(), &allocate, &set_), "vkAllocateDescriptorSets");
@@ -120,35 +115,26 @@ DescriptorSet::DescriptorSet(const Device& device, std::span<const VkDescriptorT
 
 void DescriptorSet::bind(uint32_t binding, const Buffer& buffer) {
     const VkDescriptorBufferInfo info{buffer.handle(), 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set_;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = types_[binding];
+    auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     write.pBufferInfo = &info;
-    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+    bind(binding, write);
 }
 
 void DescriptorSet::bind(uint32_t binding, VkBufferView texels) {
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set_;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = types_[binding];
+    auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     write.pTexelBufferView = &texels;
-    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+    bind(binding, write);
 }
 
-void DescriptorSet::bind(uint32_t binding, VkAccelerationStructureKHR structure) {
-    VkWriteDescriptorSetAccelerationStructureKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR;
+void DescriptorSet::bind(uint32_t binding, VkAccelerationStructureKHR traced) {
+    auto info = structure<VkWriteDescriptorSetAccelerationStructureKHR>(
+        VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR);
     info.accelerationStructureCount = 1;
-    info.pAccelerationStructures = &structure;
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.pNext = &info;
+    info.pAccelerationStructures = &traced;
+    bind(binding, structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, &info));
+}
+
+void DescriptorSet::bind(uint32_t binding, VkWriteDescriptorSet write) {
     write.dstSet = set_;
     write.dstBinding = binding;
     write.descriptorCount = 1;
@@ -164,16 +150,14 @@ PipelineLayout::PipelineLayout(const Device& device,
         layouts.push_back(set->layout());
     }
     const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, 128};
-    VkPipelineLayoutCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    auto info =
+        structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     info.setLayoutCount = static_cast<uint32_t>(layouts.size());
     info.pSetLayouts = layouts.data();
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &push;
-    VkPipelineLayout layout = VK_NULL_HANDLE;
-    check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout),
-          "vkCreatePipelineLayout");
-    layout_ = {device.handle(), layout, vkDestroyPipelineLayout};
+    layout_ = device.make(vkCreatePipelineLayout, vkDestroyPipelineLayout, info,
+                          "vkCreatePipelineLayout");
 }
 
 Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout layout,
@@ -181,14 +165,12 @@ Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout 
                                          std::span<const uint32_t> spirv,
                                          std::span<const Specialization> constants,
                                          const char* name) {
-    VkShaderModuleCreateInfo module_info{};
-    module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    auto module_info =
+        structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
     module_info.codeSize = spirv.size_bytes();
     module_info.pCode = spirv.data();
-    VkShaderModule shader = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device.handle(), &module_info, nullptr, &shader),
-          "vkCreateShaderModule");
-    const Handle<VkShaderModule> owned{device.handle(), shader, vkDestroyShaderModule};
+    const Handle<VkShaderModule> shader = device.make(vkCreateShaderModule, vkDestroyShaderModule,
+                                                      module_info, "vkCreateShaderModule");
 
     std::vector<VkSpecializationMapEntry> entries;
     std::vector<uint32_t> values;
@@ -203,11 +185,12 @@ Handle<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout 
     specialization.dataSize = values.size() * sizeof(uint32_t);
     specialization.pData = values.data();
 
-    VkComputePipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    auto info =
+        structure<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
+    info.stage = structure<VkPipelineShaderStageCreateInfo>(
+        VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = shader;
+    info.stage.module = shader.get();
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = &specialization;
     info.layout = layout;

@@ -51,9 +51,12 @@ public:
     /// Points a binding at a buffer; the GPU must not be using the set.
     void bind(uint32_t binding, const Buffer& buffer);
     void bind(uint32_t binding, VkBufferView texels);
-    void bind(uint32_t binding, VkAccelerationStructureKHR structure);
+    void bind(uint32_t binding, VkAccelerationStructureKHR traced);
 
 private:
+    /// With what `write` says of the resource.
+    void bind(uint32_t binding, VkWriteDescriptorSet write);
+
     const Device* device_ = nullptr;
     std::vector<VkDescriptorType> types_;
     Handle<VkDescriptorSetLayout> layout_;

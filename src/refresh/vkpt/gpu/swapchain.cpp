@@ -15,24 +15,16 @@ namespace {
 constexpr uint64_t acquire_timeout_ns = 250'000'000;
 
 Handle<VkSemaphore> make_semaphore(const Device& device, const char* name) {
-    VkSemaphoreCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
-    VkSemaphore semaphore = VK_NULL_HANDLE;
-    check(vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore), "vkCreateSemaphore");
-    device.set_name(VK_OBJECT_TYPE_SEMAPHORE, semaphore, name);
-    return {device.handle(), semaphore, vkDestroySemaphore};
+    auto info = structure<VkSemaphoreCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO);
+    return device.make(vkCreateSemaphore, vkDestroySemaphore, info, "vkCreateSemaphore",
+                       VK_OBJECT_TYPE_SEMAPHORE, name);
 }
 
 /// The picture holds sRGB-encoded bytes, so the window's format must store them as they are.
 VkSurfaceFormatKHR choose_format(const Device& device) {
-    uint32_t count = 0;
-    check(
-        vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr),
-        "vkGetPhysicalDeviceSurfaceFormatsKHR");
-    std::vector<VkSurfaceFormatKHR> offered(count);
-    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count,
-                                               offered.data()),
-          "vkGetPhysicalDeviceSurfaceFormatsKHR");
+    const auto offered = enumerate<VkSurfaceFormatKHR>("vkGetPhysicalDeviceSurfaceFormatsKHR",
+                                                       vkGetPhysicalDeviceSurfaceFormatsKHR,
+                                                       device.physical(), device.surface());
     for (const VkFormat wanted :
          {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_A8B8G8R8_UNORM_PACK32}) {
         VkFormatProperties properties;
@@ -50,14 +42,9 @@ VkSurfaceFormatKHR choose_format(const Device& device) {
 
 VkPresentModeKHR choose_present_mode(const Device& device, bool vsync) {
     if (vsync) return VK_PRESENT_MODE_FIFO_KHR; // always offered
-    uint32_t count = 0;
-    check(vkGetPhysicalDeviceSurfacePresentModesKHR(device.physical(), device.surface(), &count,
-                                                    nullptr),
-          "vkGetPhysicalDeviceSurfacePresentModesKHR");
-    std::vector<VkPresentModeKHR> offered(count);
-    check(vkGetPhysicalDeviceSurfacePresentModesKHR(device.physical(), device.surface(), &count,
-                                                    offered.data()),
-          "vkGetPhysicalDeviceSurfacePresentModesKHR");
+    const auto offered = enumerate<VkPresentModeKHR>("vkGetPhysicalDeviceSurfacePresentModesKHR",
+                                                     vkGetPhysicalDeviceSurfacePresentModesKHR,
+                                                     device.physical(), device.surface());
     for (const VkPresentModeKHR mode :
          {VK_PRESENT_MODE_MAILBOX_KHR, VK_PRESENT_MODE_IMMEDIATE_KHR}) {
         if (std::find(offered.begin(), offered.end(), mode) != offered.end()) return mode;
@@ -105,26 +92,6 @@ VkRect2D clip(VkRect2D area, VkExtent2D target) {
     return area;
 }
 
-struct Access {
-    VkPipelineStageFlags stage;
-    VkAccessFlags access;
-    VkImageLayout layout;
-};
-
-void image_barrier(VkCommandBuffer commands, VkImage image, Access from, Access to) {
-    VkImageMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-    barrier.srcAccessMask = from.access;
-    barrier.dstAccessMask = to.access;
-    barrier.oldLayout = from.layout;
-    barrier.newLayout = to.layout;
-    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image;
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    vkCmdPipelineBarrier(commands, from.stage, to.stage, 0, 0, nullptr, 0, nullptr, 1, &barrier);
-}
-
 } // namespace
 
 Swapchain::Swapchain(const Device& device, const refresh::SurfaceProvider& window,
@@ -158,8 +125,7 @@ bool Swapchain::create(VkExtent2D window_size, bool vsync) {
     const VkSurfaceFormatKHR format = choose_format(*device_);
     const VkPresentModeKHR mode = choose_present_mode(*device_, vsync);
 
-    VkSwapchainCreateInfoKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR;
+    auto info = structure<VkSwapchainCreateInfoKHR>(VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR);
     info.surface = device_->surface();
     // One more than the driver holds back, so that acquiring need not wait for the display.
     info.minImageCount = surface.minImageCount + 1;
@@ -183,13 +149,9 @@ bool Swapchain::create(VkExtent2D window_size, bool vsync) {
     check(result, "vkCreateSwapchainKHR");
     swapchain_ = {device_->handle(), created, vkDestroySwapchainKHR};
 
-    uint32_t count = 0;
-    check(vkGetSwapchainImagesKHR(device_->handle(), created, &count, nullptr),
-          "vkGetSwapchainImagesKHR");
-    images_.resize(count);
-    check(vkGetSwapchainImagesKHR(device_->handle(), created, &count, images_.data()),
-          "vkGetSwapchainImagesKHR");
-    for (uint32_t i = 0; i < count; ++i)
+    images_ = enumerate<VkImage>("vkGetSwapchainImagesKHR", vkGetSwapchainImagesKHR,
+                                 device_->handle(), created);
+    for (size_t i = 0; i < images_.size(); ++i)
         finished_.push_back(make_semaphore(*device_, "window image finished"));
     // An image acquired but never presented leaves its semaphore signalled: start afresh.
     for (Handle<VkSemaphore>& semaphore : acquired_)
@@ -245,18 +207,19 @@ std::optional<SwapchainTarget> Swapchain::acquire(bool vsync) {
 
 void Swapchain::blit(VkCommandBuffer commands, const SwapchainTarget& target, const Image& picture,
                      VkRect2D area) const {
-    const Access unknown{wait_stage, 0, VK_IMAGE_LAYOUT_UNDEFINED};
-    const Access written{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
-                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
-    const Access shown{VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
-    image_barrier(commands, target.image, unknown, written);
+    const ImageAccess unknown{wait_stage, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+    const ImageAccess written{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+    const ImageAccess shown{VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0,
+                            VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+    transition(commands, target.image, unknown, written);
 
     area = clip(area, target.extent);
     if (!(area.extent == target.extent)) {
         const VkClearColorValue black{{0.0f, 0.0f, 0.0f, 1.0f}};
         const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
         vkCmdClearColorImage(commands, target.image, written.layout, &black, 1, &range);
-        image_barrier(commands, target.image, written, written);
+        transition(commands, target.image, written, written);
     }
     if (area.extent.width > 0 && area.extent.height > 0) {
         const VkExtent2D size{picture.width(), picture.height()};
@@ -272,7 +235,7 @@ void Swapchain::blit(VkCommandBuffer commands, const SwapchainTarget& target, co
         vkCmdBlitImage(commands, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                        target.image, written.layout, 1, &region, filter);
     }
-    image_barrier(commands, target.image, written, shown);
+    transition(commands, target.image, written, shown);
 }
 
 void Swapchain::blit(VkCommandBuffer commands, const SwapchainTarget& target,
@@ -282,8 +245,7 @@ void Swapchain::blit(VkCommandBuffer commands, const SwapchainTarget& target,
 
 void Swapchain::present(const SwapchainTarget& target) {
     const VkSwapchainKHR swapchain = swapchain_.get();
-    VkPresentInfoKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR;
+    auto info = structure<VkPresentInfoKHR>(VK_STRUCTURE_TYPE_PRESENT_INFO_KHR);
     info.waitSemaphoreCount = 1;
     info.pWaitSemaphores = &target.finished;
     info.swapchainCount = 1;

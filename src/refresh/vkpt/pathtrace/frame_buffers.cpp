@@ -66,7 +66,7 @@ void FrameBuffers::resize(glm::uvec2 size) {
 void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
                         const LightTechnique* right) {
     scene_set_.bind(BINDING_FRAME, frame_);
-    scene.nodes().bind(scene_set_.handle(), BINDING_BVH_NODES);
+    scene_set_.bind(BINDING_BVH_NODES, scene.nodes());
     scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
     scene_set_.bind(BINDING_TOP_NODES, scene.top_nodes());
     scene_set_.bind(BINDING_INSTANCES, scene.instances());

@@ -3,6 +3,8 @@
 
 #include "shared/direction_map.h"
 
+#include <fmt/format.h>
+
 namespace vigil::vkpt {
 
 size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_size) {

@@ -51,18 +51,15 @@ gpu::Handle<VkRenderPass> make_render_pass(const gpu::Device& device, VkFormat f
     after.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
     const VkSubpassDependency dependencies[] = {before, after};
 
-    VkRenderPassCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
+    auto info = gpu::structure<VkRenderPassCreateInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO);
     info.attachmentCount = 1;
     info.pAttachments = &picture;
     info.subpassCount = 1;
     info.pSubpasses = &subpass;
     info.dependencyCount = 2;
     info.pDependencies = dependencies;
-    VkRenderPass pass = VK_NULL_HANDLE;
-    gpu::check(vkCreateRenderPass(device.handle(), &info, nullptr, &pass), "vkCreateRenderPass");
-    device.set_name(VK_OBJECT_TYPE_RENDER_PASS, pass, "overlay");
-    return {device.handle(), pass, vkDestroyRenderPass};
+    return device.make(vkCreateRenderPass, vkDestroyRenderPass, info, "vkCreateRenderPass",
+                       VK_OBJECT_TYPE_RENDER_PASS, "overlay");
 }
 
 // From 1.92 on the lists say which textures they need, and the backend makes and replaces them
@@ -75,16 +72,14 @@ constexpr uint32_t most_textures = 1;
 
 gpu::Handle<VkDescriptorPool> make_descriptor_pool(const gpu::Device& device) {
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, most_textures};
-    VkDescriptorPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    auto info =
+        gpu::structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
     info.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
     info.maxSets = most_textures;
     info.poolSizeCount = 1;
     info.pPoolSizes = &size;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    gpu::check(vkCreateDescriptorPool(device.handle(), &info, nullptr, &pool),
-               "vkCreateDescriptorPool");
-    return {device.handle(), pool, vkDestroyDescriptorPool};
+    return device.make(vkCreateDescriptorPool, vkDestroyDescriptorPool, info,
+                       "vkCreateDescriptorPool");
 }
 
 void upload_fonts([[maybe_unused]] const gpu::Device& device) {
@@ -190,18 +185,14 @@ void Overlay::stop_imgui() {
 
 gpu::Handle<VkFramebuffer> Overlay::make_framebuffer(const gpu::Image& picture) const {
     const VkImageView view = picture.view();
-    VkFramebufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
+    auto info = gpu::structure<VkFramebufferCreateInfo>(VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO);
     info.renderPass = render_pass_.get();
     info.attachmentCount = 1;
     info.pAttachments = &view;
     info.width = picture.width();
     info.height = picture.height();
     info.layers = 1;
-    VkFramebuffer framebuffer = VK_NULL_HANDLE;
-    gpu::check(vkCreateFramebuffer(device_->handle(), &info, nullptr, &framebuffer),
-               "vkCreateFramebuffer");
-    return {device_->handle(), framebuffer, vkDestroyFramebuffer};
+    return device_->make(vkCreateFramebuffer, vkDestroyFramebuffer, info, "vkCreateFramebuffer");
 }
 
 void Overlay::draw(VkCommandBuffer commands, const gpu::Image& picture, ImDrawData* draw_data) {
@@ -224,8 +215,7 @@ void Overlay::draw(VkCommandBuffer commands, const gpu::Image& picture, ImDrawDa
     next_framebuffer_ = (next_framebuffer_ + 1) % framebuffers_.size();
     framebuffer = make_framebuffer(picture);
 
-    VkRenderPassBeginInfo begin{};
-    begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+    auto begin = gpu::structure<VkRenderPassBeginInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO);
     begin.renderPass = render_pass_.get();
     begin.framebuffer = framebuffer.get();
     begin.renderArea = {{0, 0}, extent};

@@ -24,8 +24,8 @@ uint64_t align(uint64_t value, uint64_t alignment) {
 }
 
 VkDeviceAddress address_of(const gpu::Device& device, const gpu::Buffer& buffer) {
-    VkBufferDeviceAddressInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+    auto info =
+        gpu::structure<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
     info.buffer = buffer.handle();
     return vkGetBufferDeviceAddress(device.handle(), &info);
 }
@@ -36,8 +36,8 @@ bool is_opaque(const shader::BvhTriangle& triangle) {
 
 VkAccelerationStructureGeometryKHR
 triangle_geometry(VkDeviceAddress corners, uint32_t triangle_count, VkGeometryFlagsKHR flags) {
-    VkAccelerationStructureGeometryKHR geometry{};
-    geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR;
+    auto geometry = gpu::structure<VkAccelerationStructureGeometryKHR>(
+        VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR);
     geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;
     geometry.flags = flags;
     VkAccelerationStructureGeometryTrianglesDataKHR& triangles = geometry.geometry.triangles;
@@ -51,8 +51,8 @@ triangle_geometry(VkDeviceAddress corners, uint32_t triangle_count, VkGeometryFl
 }
 
 VkAccelerationStructureGeometryKHR instance_geometry(VkDeviceAddress instances) {
-    VkAccelerationStructureGeometryKHR geometry{};
-    geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR;
+    auto geometry = gpu::structure<VkAccelerationStructureGeometryKHR>(
+        VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR);
     geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
     geometry.geometry.instances.sType =
         VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR;
@@ -63,8 +63,8 @@ VkAccelerationStructureGeometryKHR instance_geometry(VkDeviceAddress instances) 
 VkAccelerationStructureBuildGeometryInfoKHR
 build_info(VkAccelerationStructureTypeKHR type, VkBuildAccelerationStructureFlagsKHR flags,
            std::span<const VkAccelerationStructureGeometryKHR> geometries) {
-    VkAccelerationStructureBuildGeometryInfoKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR;
+    auto info = gpu::structure<VkAccelerationStructureBuildGeometryInfoKHR>(
+        VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR);
     info.type = type;
     info.flags = flags;
     info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
@@ -109,11 +109,10 @@ AccelerationStructures::AccelerationStructures(const gpu::Device& device) : devi
         device, "vkGetAccelerationStructureDeviceAddressKHR");
     vk_.build = load<PFN_vkCmdBuildAccelerationStructuresKHR>(
         device, "vkCmdBuildAccelerationStructuresKHR");
-    VkPhysicalDeviceAccelerationStructurePropertiesKHR limits{};
-    limits.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &limits;
+    auto limits = gpu::structure<VkPhysicalDeviceAccelerationStructurePropertiesKHR>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR);
+    auto properties = gpu::structure<VkPhysicalDeviceProperties2>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &limits);
     vkGetPhysicalDeviceProperties2(device.physical(), &properties);
     scratch_alignment_ =
         std::max<uint64_t>(limits.minAccelerationStructureScratchOffsetAlignment, 1);
@@ -127,16 +126,14 @@ AccelerationStructures::make_structure(VkAccelerationStructureTypeKHR type, uint
         gpu::Buffer(device_, align(bytes, structure_alignment), gpu::MemoryUse::Device, name,
                     VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR |
                         VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
-    VkAccelerationStructureCreateInfoKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR;
+    auto info = gpu::structure<VkAccelerationStructureCreateInfoKHR>(
+        VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR);
     info.buffer = structure.storage.handle();
     info.size = bytes;
     info.type = type;
-    VkAccelerationStructureKHR handle = VK_NULL_HANDLE;
-    gpu::check(vk_.create(device_.handle(), &info, nullptr, &handle),
-               "vkCreateAccelerationStructureKHR");
-    structure.handle = {device_.handle(), handle, vk_.destroy};
-    device_.set_name(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, handle, name);
+    structure.handle =
+        device_.make(vk_.create, vk_.destroy, info, "vkCreateAccelerationStructureKHR",
+                     VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, name);
     return structure;
 }
 
@@ -179,8 +176,8 @@ AccelerationStructures::describe_build(size_t model_index, const QueryModel& mod
 VkAccelerationStructureBuildSizesInfoKHR
 AccelerationStructures::build_sizes(const VkAccelerationStructureBuildGeometryInfoKHR& info,
                                     std::span<const uint32_t> counts) const {
-    VkAccelerationStructureBuildSizesInfoKHR sizes{};
-    sizes.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR;
+    auto sizes = gpu::structure<VkAccelerationStructureBuildSizesInfoKHR>(
+        VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR);
     vk_.sizes(device_.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info,
               counts.data(), &sizes);
     return sizes;
@@ -234,8 +231,8 @@ void AccelerationStructures::build_now(const Plan& plan) {
         bottom.structure.handle.reset();
         bottom.structure = make_structure(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR,
                                           build.structure_bytes, "bottom level");
-        VkAccelerationStructureDeviceAddressInfoKHR info{};
-        info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR;
+        auto info = gpu::structure<VkAccelerationStructureDeviceAddressInfoKHR>(
+            VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR);
         info.accelerationStructure = bottom.structure.handle.get();
         bottom.address = vk_.address(device_.handle(), &info);
     }

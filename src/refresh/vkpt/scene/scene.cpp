@@ -381,10 +381,10 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
 
 bool Scene::upload_static() {
     device_.wait_idle();
-    node_view_ = NodeView();
+    node_view_.reset();
     replace(device_, nodes_buffer_, nodes_, "bottom-level nodes",
             VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    node_view_ = NodeView(device_, nodes_buffer_);
+    node_view_ = gpu::make_texel_view(device_, nodes_buffer_, "bottom-level nodes");
     replace(device_, triangles_buffer_, triangles_, "triangles");
     replace(device_, primitives_buffer_, primitives_, "primitives");
     replace(device_, materials_buffer_, materials_->materials(), "materials");

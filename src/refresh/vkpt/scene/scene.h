@@ -10,7 +10,6 @@
 #include "refresh/vkpt/scene/light_set.h"
 #include "refresh/vkpt/scene/material_set.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
-#include "refresh/vkpt/scene/node_view.h"
 #include "refresh/vkpt/scene/top_level.h"
 
 #include <map>
@@ -88,7 +87,8 @@ public:
     uint64_t revision() const { return revision_; }
     refresh::SceneReport report() const;
 
-    const NodeView& nodes() const { return node_view_; }
+    /// The nodes as texels, for shaders compiled with TRACE_TEXEL=1.
+    VkBufferView nodes() const { return node_view_.get(); }
     const gpu::Buffer& triangles() const { return triangles_buffer_; }
     const gpu::Buffer& primitives() const { return primitives_buffer_; }
     const gpu::Buffer& top_nodes() const { return top_buffer_; }
@@ -202,7 +202,7 @@ private:
     gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
         instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,
         cluster_buffer_;
-    NodeView node_view_;                              // of nodes_buffer_, destroyed before it
+    gpu::Handle<VkBufferView> node_view_;             // of nodes_buffer_, destroyed before it
     std::optional<AccelerationStructures> ray_query_; // while rays are traced by queries
 };
 
