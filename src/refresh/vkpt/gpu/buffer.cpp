@@ -55,6 +55,15 @@ Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* 
     }
 }
 
+bool grow(const Device& device, Buffer& buffer, uint64_t bytes, const char* name,
+          VkBufferUsageFlags extra_usage) {
+    if (buffer && buffer.bytes() >= bytes) return false;
+    device.wait_idle();
+    buffer = Buffer(device, std::max<uint64_t>(bytes + bytes / 2, 256), MemoryUse::Device, name,
+                    extra_usage);
+    return true;
+}
+
 Handle<VkBufferView> make_texel_view(const Device& device, const Buffer& buffer, const char* name) {
     constexpr uint64_t texel_bytes = 16;
     const uint32_t limit = device.properties().limits.maxTexelBufferElements;

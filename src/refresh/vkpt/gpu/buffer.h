@@ -41,6 +41,11 @@ private:
     std::byte* mapped_ = nullptr;
 };
 
+/// Makes `buffer` anew, with half as much to spare, where it has not `bytes`; waits until the
+/// device is idle then, and returns true.
+bool grow(const Device& device, Buffer& buffer, uint64_t bytes, const char* name,
+          VkBufferUsageFlags extra_usage = 0);
+
 /// A buffer made with VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT as texels of format
 /// R32G32B32A32_UINT; it outlives the view. Vulkan promises 65,536 texels (1 MiB), drivers in use
 /// offer millions. Throws Error with `name` when the device's texel buffers are too short for it.

@@ -5,7 +5,6 @@
 
 #include "refresh/vkpt/gpu/commands.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace vigil::gpu {
@@ -17,11 +16,7 @@ public:
     /// Sets what the next upload() copies. Returns true if the buffer was made anew.
     bool set(std::span<const std::byte> bytes) {
         pending_.assign(bytes.begin(), bytes.end());
-        if (buffer_ && buffer_.bytes() >= bytes.size()) return false;
-        device_->wait_idle();
-        buffer_ = Buffer(*device_, std::max<size_t>(bytes.size() + bytes.size() / 2, 256),
-                         MemoryUse::Device, name_);
-        return true;
+        return grow(*device_, buffer_, bytes.size(), name_);
     }
     /// Records the copy, if there is something new.
     void upload(FrameCommands& commands) {

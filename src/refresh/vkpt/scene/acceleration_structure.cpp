@@ -137,13 +137,6 @@ AccelerationStructures::make_structure(VkAccelerationStructureTypeKHR type, uint
     return structure;
 }
 
-void AccelerationStructures::grow(gpu::Buffer& buffer, uint64_t bytes, VkBufferUsageFlags usage,
-                                  const char* name) {
-    if (bytes == 0 || (buffer && buffer.bytes() >= bytes)) return;
-    device_.wait_idle();
-    buffer = gpu::Buffer(device_, bytes + bytes / 2, gpu::MemoryUse::Device, name, usage);
-}
-
 VkDeviceAddress AccelerationStructures::scratch_address(const gpu::Buffer& scratch) const {
     return align(address_of(device_, scratch), scratch_alignment_);
 }
@@ -274,11 +267,11 @@ bool AccelerationStructures::prepare(std::span<const QueryModel> models,
     build_now(fresh);
     top_dirty_ |= !rebuilds_.builds.empty();
     const bool renewed = prepare_top(models, instance_models, instances);
-    grow(corners_buffer_, rebuilds_.corners.size() * sizeof(glm::vec3), build_input_usage,
-         "corners");
-    grow(scratch_buffer_,
-         std::max(rebuilds_.scratch_bytes, top_scratch_bytes_) + scratch_alignment_,
-         VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT, "build scratch");
+    gpu::grow(device_, corners_buffer_, gpu::bytes_of(rebuilds_.corners).size(), "corners",
+              build_input_usage);
+    gpu::grow(device_, scratch_buffer_,
+              std::max(rebuilds_.scratch_bytes, top_scratch_bytes_) + scratch_alignment_,
+              "build scratch", VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
     return renewed;
 }
 

@@ -92,7 +92,6 @@ private:
                      std::span<const shader::Instance> instances);
     Structure make_structure(VkAccelerationStructureTypeKHR type, uint64_t bytes,
                              const char* name) const;
-    void grow(gpu::Buffer& buffer, uint64_t bytes, VkBufferUsageFlags usage, const char* name);
     VkDeviceAddress scratch_address(const gpu::Buffer& scratch) const;
 
     const gpu::Device& device_;

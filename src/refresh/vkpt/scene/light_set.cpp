@@ -33,13 +33,8 @@ ModelGeometry dynamic_light_geometry(uint32_t material) {
         const glm::vec3 x(sign.x, 0.0f, 0.0f), y(0.0f, sign.y, 0.0f), z(0.0f, 0.0f, sign.z);
         const bool mirrored = sign.x * sign.y * sign.z < 0.0f;
         const glm::vec3 v1 = mirrored ? z : y, v2 = mirrored ? y : z;
-        shader::Primitive primitive{};
-        primitive.material = material;
-        primitive.light = octant;
-        primitive.cluster = shader::NONE;
-        geometry.primitives.push_back(primitive);
-        geometry.triangles.push_back({x, v1, v2, 255});
-        geometry.lights.push_back({x, v1, v2, glm::vec3(1.0f), 1.0f, 0});
+        geometry.add({x, v1, v2, 255}, material);
+        geometry.shine(glm::vec3(1.0f));
     }
     return geometry;
 }
@@ -49,28 +44,23 @@ ModelGeometry spot_geometry(uint32_t lamp_material, uint32_t tube_material) {
     // up to atan(0.471 / 2.6) = 10 degrees, none of it beyond atan(1.495 / 2.6) = 30.
     constexpr float depth = 2.6f, half = 0.35f, back = 2.7f;
     ModelGeometry geometry;
-    const auto add = [&geometry](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
-                                 uint32_t material, bool shines) {
-        shader::Primitive primitive{};
-        primitive.material = material;
-        primitive.light =
-            shines ? static_cast<uint32_t>(geometry.lights.size()) : uint32_t{shader::NONE};
-        primitive.cluster = shader::NONE;
-        geometry.primitives.push_back(primitive);
-        geometry.triangles.push_back({a, b, c, 255});
-        if (shines) geometry.lights.push_back({a, b, c, glm::vec3(1.0f), 1.0f, 0});
-    };
     const auto corner = [](float y, float z) { return glm::vec3(-depth, y, z); };
-    add(corner(-half, -half), corner(half, -half), corner(half, half), lamp_material, true);
-    add(corner(-half, -half), corner(half, half), corner(-half, half), lamp_material, true);
+    for (const bool upper : {false, true}) {
+        const glm::vec3 low = corner(-half, -half), high = corner(half, half);
+        geometry.add(
+            {low, upper ? high : corner(half, -half), upper ? corner(-half, half) : high, 255},
+            lamp_material);
+        geometry.shine(glm::vec3(1.0f));
+    }
     constexpr int sides = 12;
     const auto rim = [](int side, float x) {
         const float angle = glm::radians(360.0f / sides * static_cast<float>(side));
         return glm::vec3(x, std::cos(angle), std::sin(angle));
     };
     for (int side = 0; side < sides; ++side) {
-        add(rim(side, -back), rim(side + 1, -back), rim(side + 1, 0.0f), tube_material, false);
-        add(rim(side, -back), rim(side + 1, 0.0f), rim(side, 0.0f), tube_material, false);
+        const glm::vec3 behind = rim(side, -back), mouth = rim(side + 1, 0.0f);
+        geometry.add({behind, rim(side + 1, -back), mouth, 255}, tube_material);
+        geometry.add({behind, mouth, rim(side, 0.0f), 255}, tube_material);
     }
     return geometry;
 }

@@ -21,21 +21,13 @@ ModelGeometry mesh_geometry(const Mesh& mesh, MaterialSet& materials) {
             const glm::vec3& v1 = part.positions[b];
             const glm::vec3& v2 = part.positions[c];
             if (glm::cross(v1 - v0, v2 - v0) == glm::vec3(0.0f)) continue;
-            shader::Primitive primitive{};
+            shader::Primitive& primitive = geometry.add({v0, v1, v2, 255}, indices[part.material]);
             if (!part.uvs.empty()) {
                 primitive.uv0 = part.uvs[a];
                 primitive.uv1 = part.uvs[b];
                 primitive.uv2 = part.uvs[c];
             }
-            primitive.material = indices[part.material];
-            primitive.cluster = shader::NONE;
-            primitive.light = shader::NONE;
-            if (radiance != glm::vec3(0.0f)) {
-                primitive.light = static_cast<uint32_t>(geometry.lights.size());
-                geometry.lights.push_back({v0, v1, v2, radiance, 1.0f, 0});
-            }
-            geometry.triangles.push_back({v0, v1, v2, 255});
-            geometry.primitives.push_back(primitive);
+            if (radiance != glm::vec3(0.0f)) geometry.shine(radiance);
         }
     }
     return geometry;
@@ -54,16 +46,12 @@ ModelGeometry md2_geometry(const Md2& md2, const Md2Pose& pose) {
     ModelGeometry geometry;
     for (size_t i = 0; i + 2 < md2.indices.size(); i += 3) {
         const uint32_t a = md2.indices[i], b = md2.indices[i + 1], c = md2.indices[i + 2];
-        shader::Primitive primitive{};
+        // Degenerate triangles stay: every pose of a model has the same number.
+        shader::Primitive& primitive =
+            geometry.add({position(a), position(b), position(c), 255}, pose.material);
         primitive.uv0 = md2.uvs[a];
         primitive.uv1 = md2.uvs[b];
         primitive.uv2 = md2.uvs[c];
-        primitive.material = pose.material;
-        primitive.light = shader::NONE;
-        primitive.cluster = shader::NONE;
-        // Degenerate triangles stay: every pose of a model has the same number.
-        geometry.triangles.push_back({position(a), position(b), position(c), 255});
-        geometry.primitives.push_back(primitive);
     }
     return geometry;
 }
@@ -71,22 +59,20 @@ ModelGeometry md2_geometry(const Md2& md2, const Md2Pose& pose) {
 ModelGeometry sprite_geometry(const Sp2Frame& frame, uint32_t material) {
     const glm::vec2 low(-frame.origin), high = low + glm::vec2(frame.size); // to the right, up
     const auto corner = [](float right, float up) { return glm::vec3(0.0f, -right, up); };
-    shader::Primitive primitive{};
-    primitive.material = material;
-    primitive.light = shader::NONE;
-    primitive.cluster = shader::NONE;
     ModelGeometry geometry;
     for (const bool upper : {false, true}) {
         // From the lower left to the upper right by way of the other corners.
-        primitive.uv0 = {0.0f, 1.0f};
-        primitive.uv1 = upper ? glm::vec2(1.0f, 0.0f) : glm::vec2(1.0f, 1.0f);
-        primitive.uv2 = upper ? glm::vec2(0.0f, 0.0f) : glm::vec2(1.0f, 0.0f);
+        const glm::vec2 uv0(0.0f, 1.0f);
+        const glm::vec2 uv1 = upper ? glm::vec2(1.0f, 0.0f) : glm::vec2(1.0f, 1.0f);
+        const glm::vec2 uv2 = upper ? glm::vec2(0.0f, 0.0f) : glm::vec2(1.0f, 0.0f);
         const auto place = [&](const glm::vec2& uv) {
             return corner(uv.x == 0.0f ? low.x : high.x, uv.y == 0.0f ? high.y : low.y);
         };
-        geometry.triangles.push_back(
-            {place(primitive.uv0), place(primitive.uv1), place(primitive.uv2), 255});
-        geometry.primitives.push_back(primitive);
+        shader::Primitive& primitive =
+            geometry.add({place(uv0), place(uv1), place(uv2), 255}, material);
+        primitive.uv0 = uv0;
+        primitive.uv1 = uv1;
+        primitive.uv2 = uv2;
     }
     return geometry;
 }

@@ -28,6 +28,23 @@ struct ModelGeometry {
     std::vector<BvhInputTriangle> triangles;
     std::vector<shader::Primitive> primitives; // one per triangle; light indexes `lights`
     std::vector<LightSource> lights;
+
+    /// Adds a triangle that does not shine, in no cluster, without texture coordinates; what is
+    /// returned can be filled in until the next one is added.
+    shader::Primitive& add(const BvhInputTriangle& triangle, uint32_t material) {
+        triangles.push_back(triangle);
+        shader::Primitive& primitive = primitives.emplace_back();
+        primitive.material = material;
+        primitive.light = primitive.cluster = shader::NONE;
+        return primitive;
+    }
+    /// Makes the triangle that was added last a light.
+    void shine(const glm::vec3& radiance, int style = 0) {
+        const BvhInputTriangle& t = triangles.back();
+        primitives.back().light = static_cast<uint32_t>(lights.size());
+        lights.push_back(
+            {t.v0, t.v1, t.v2, radiance, static_cast<float>(t.coverage) / 255.0f, style});
+    }
 };
 
 } // namespace vigil::vkpt

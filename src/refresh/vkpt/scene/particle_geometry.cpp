@@ -28,22 +28,19 @@ ModelGeometry particle_geometry(const refresh::Frame& frame, size_t capacity,
     ModelGeometry geometry;
     geometry.triangles.reserve(capacity);
     geometry.primitives.reserve(capacity);
-    shader::Primitive primitive{};
-    primitive.light = shader::NONE;
-    primitive.cluster = shader::NONE;
+    uint32_t material = 0;
     for (const refresh::Particle& particle : frame.particles) {
         const Facing axes = facing(particle.origin, frame.view.origin);
         const glm::vec3 top = particle.origin + particle.size * axes.up;
         const glm::vec3 foot = particle.origin - 0.5f * particle.size * axes.up;
         const glm::vec3 side = 0.866f * particle.size * axes.right;
-        primitive.material = materials.particle_material(particle.color);
-        geometry.triangles.push_back({top, foot - side, foot + side, coverage_of(particle.alpha)});
-        geometry.primitives.push_back(primitive);
+        material = materials.particle_material(particle.color);
+        geometry.add({top, foot - side, foot + side, coverage_of(particle.alpha)}, material);
     }
     const glm::vec3 nowhere =
         frame.particles.empty() ? glm::vec3(0.0f) : frame.particles.front().origin;
-    geometry.triangles.resize(capacity, {nowhere, nowhere, nowhere, 255});
-    geometry.primitives.resize(capacity, primitive);
+    while (geometry.triangles.size() < capacity)
+        geometry.add({nowhere, nowhere, nowhere, 255}, material);
     return geometry;
 }
 

@@ -29,23 +29,6 @@ constexpr size_t least_particles = 256;
 // How far a shell stands off its model, as in Quake II, in map units.
 constexpr float shell_swell = 4.0f, front_shell_swell = 0.5f;
 
-/// Makes `buffer` at least as large as `bytes`, with room to grow. Returns true if it was made
-/// anew.
-bool reserve(const gpu::Device& device, gpu::Buffer& buffer, size_t bytes, const char* name) {
-    if (buffer && buffer.bytes() >= bytes) return false;
-    device.wait_idle();
-    buffer =
-        gpu::Buffer(device, std::max<size_t>(bytes + bytes / 2, 256), gpu::MemoryUse::Device, name);
-    return true;
-}
-
-template <typename T>
-bool replace(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& values,
-             const char* name, VkBufferUsageFlags extra_usage = 0) {
-    buffer = gpu::make_buffer(device, gpu::bytes_of(values), name, extra_usage);
-    return true;
-}
-
 } // namespace
 
 Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
@@ -370,9 +353,9 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
 
     // Make room.
     bool renewed = static_dirty_ && upload_static();
-    renewed |= reserve(device_, instances_buffer_, bytes.size(), "instances");
-    renewed |= reserve(device_, top_buffer_, gpu::bytes_of(top_nodes_).size(), "top-level nodes");
-    if (reserve(device_, lights_buffer_, lights_.lights().size_bytes(), "lights")) {
+    renewed |= gpu::grow(device_, instances_buffer_, bytes.size(), "instances");
+    renewed |= gpu::grow(device_, top_buffer_, gpu::bytes_of(top_nodes_).size(), "top-level nodes");
+    if (gpu::grow(device_, lights_buffer_, lights_.lights().size_bytes(), "lights")) {
         renewed = true;
         uploaded_light_revision_ = 0;
     }
@@ -382,14 +365,17 @@ bool Scene::prepare(const refresh::Frame& frame, float emissive_scale) {
 bool Scene::upload_static() {
     device_.wait_idle();
     node_view_.reset();
-    replace(device_, nodes_buffer_, nodes_, "bottom-level nodes",
-            VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    const auto replace = [this](gpu::Buffer& buffer, const auto& values, const char* name,
+                                VkBufferUsageFlags extra_usage = 0) {
+        buffer = gpu::make_buffer(device_, gpu::bytes_of(values), name, extra_usage);
+    };
+    replace(nodes_buffer_, nodes_, "bottom-level nodes", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
     node_view_ = gpu::make_texel_view(device_, nodes_buffer_, "bottom-level nodes");
-    replace(device_, triangles_buffer_, triangles_, "triangles");
-    replace(device_, primitives_buffer_, primitives_, "primitives");
-    replace(device_, materials_buffer_, materials_->materials(), "materials");
-    replace(device_, textures_buffer_, textures_->headers(), "texture headers");
-    replace(device_, texels_buffer_, textures_->texels(), "texels");
+    replace(triangles_buffer_, triangles_, "triangles");
+    replace(primitives_buffer_, primitives_, "primitives");
+    replace(materials_buffer_, materials_->materials(), "materials");
+    replace(textures_buffer_, textures_->headers(), "texture headers");
+    replace(texels_buffer_, textures_->texels(), "texels");
     static_dirty_ = false;
     changed_.clear();
     return true;

@@ -158,7 +158,7 @@ const TextureSet::Entry& TextureSet::texture(std::string_view name) {
 
 const TextureSet::Entry& TextureSet::picture(const std::string& path) {
     if (const auto known = entries_.find(path); known != entries_.end()) return known->second;
-    std::optional<Image> image = load(path);
+    const std::optional<Image> image = load(path);
     if (!image) missing_.push_back(path);
     Entry entry = add(image ? *image : checker_image(), true);
     if (image) entry.file = path;

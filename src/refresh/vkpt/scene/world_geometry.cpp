@@ -73,27 +73,19 @@ ModelGeometry brush_model_geometry(const Level& level, uint32_t model_index,
                 corner += outwards;
         }
 
-        const bool emissive = material.radiance != glm::vec3(0.0f);
         for (size_t i = 2; i < corners.size(); ++i) { // faces are convex: a fan
             const glm::vec3& v0 = corners[0];
             const glm::vec3& v1 = corners[i - 1];
             const glm::vec3& v2 = corners[i];
             if (glm::cross(v1 - v0, v2 - v0) == glm::vec3(0.0f)) continue; // collinear corners
-            shader::Primitive primitive{};
+            shader::Primitive& primitive =
+                geometry.add({v0, v1, v2, material.coverage}, material.index);
             primitive.uv0 = uvs[0];
             primitive.uv1 = uvs[i - 1];
             primitive.uv2 = uvs[i];
-            primitive.material = material.index;
-            primitive.light = shader::NONE;
             primitive.cluster = clusters[f];
-            if (emissive) {
-                primitive.light = static_cast<uint32_t>(geometry.lights.size());
-                geometry.lights.push_back({v0, v1, v2, material.radiance,
-                                           static_cast<float>(material.coverage) / 255.0f,
-                                           emissive_style(face)});
-            }
-            geometry.triangles.push_back({v0, v1, v2, material.coverage});
-            geometry.primitives.push_back(primitive);
+            if (material.radiance != glm::vec3(0.0f))
+                geometry.shine(material.radiance, emissive_style(face));
         }
     }
     return geometry;
