@@ -5,6 +5,9 @@
 
 #include "formats/dm2_protocol.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace vigil::client {
 
 namespace {
@@ -44,46 +47,32 @@ const EntityRow shells[] = {
 /// The explosion of the big ball: brightness by its frame.
 constexpr float bfg_radii[] = {300.0f, 400.0f, 600.0f, 300.0f, 150.0f, 75.0f};
 
-EffectLight player_flash(uint8_t weapon) {
-    switch (weapon) {
-    case 3: // chain gun, one to three bullets
-        return {215.0f, {1.0f, 0.25f, 0.0f}};
-    case 4:
-        return {240.0f, {1.0f, 0.5f, 0.0f}};
-    case 5:
-        return {265.0f, yellow};
-    case 6: // rail gun
-        return {215.0f, {0.5f, 0.5f, 1.0f}};
-    case 7: // rocket launcher
-        return {215.0f, {1.0f, 0.5f, 0.2f}};
-    case 8: // grenade launcher
-        return {215.0f, {1.0f, 0.5f, 0.0f}};
-    case 9:  // log-in
-    case 12: // BFG
-    case 34: // blaster 2
-        return {215.0f, green};
-    case 10: // log-out
-        return {215.0f, red};
-    case 15: // an item appears again: particles only
-    case 35: // tracker: darkens
-        return {};
-    case 16: // ion ripper
-    case 18: // phalanx
-        return {215.0f, explosion};
-    case 17: // blue hyper blaster
-        return {215.0f, blue};
-    case 30: // ETF rifle
-        return {215.0f, {0.9f, 0.7f, 0.0f}};
-    case 36: // nuke, counting
-        return {215.0f, red};
-    case 38:
-        return {215.0f, blue};
-    case 39:
-        return {215.0f, {0.0f, 1.0f, 1.0f}};
-    default: // blasters, machine gun, shot guns
-        return {215.0f, yellow};
-    }
-}
+struct FlashRow {
+    uint8_t weapon;
+    EffectLight light;
+};
+
+const FlashRow player_flashes[] = {
+    {3, {215.0f, {1.0f, 0.25f, 0.0f}}}, // chain gun, one to three bullets
+    {4, {240.0f, {1.0f, 0.5f, 0.0f}}},
+    {5, {265.0f, yellow}},
+    {6, {215.0f, {0.5f, 0.5f, 1.0f}}},  // rail gun
+    {7, {215.0f, {1.0f, 0.5f, 0.2f}}},  // rocket launcher
+    {8, {215.0f, {1.0f, 0.5f, 0.0f}}},  // grenade launcher
+    {9, {215.0f, green}},               // log-in
+    {10, {215.0f, red}},                // log-out
+    {12, {215.0f, green}},              // BFG
+    {15, {}},                           // an item appears again: particles only
+    {16, {215.0f, explosion}},          // ion ripper
+    {17, {215.0f, blue}},               // blue hyper blaster
+    {18, {215.0f, explosion}},          // phalanx
+    {30, {215.0f, {0.9f, 0.7f, 0.0f}}}, // ETF rifle
+    {34, {215.0f, green}},              // blaster 2
+    {35, {}},                           // tracker: darkens
+    {36, {215.0f, red}},                // nuke, counting
+    {38, {215.0f, blue}},
+    {39, {215.0f, {0.0f, 1.0f, 1.0f}}},
+};
 
 /// Monsters number their muzzles, so kinds of weapons are ranges.
 glm::vec3 monster_flash_color(uint8_t muzzle) {
@@ -95,6 +84,59 @@ glm::vec3 monster_flash_color(uint8_t muzzle) {
     if (muzzle == 101 || muzzle == 132) return {0.5f, 1.0f, 0.5f}; // BFG
     return yellow;
 }
+
+constexpr float big = 350.0f, wall = 150.0f; // radii of explosions, and of what hits a wall
+constexpr int as_said = -1;                  // particles: number and colour as the effect says
+
+struct BurstRow {
+    dm2::TempEntityType type;
+    Burst burst;
+};
+
+const BurstRow bursts[] = {
+    {dm2::TE_GUNSHOT, {{}, 0.0f, 20, palette_color(0), 60.0f}},
+    {dm2::TE_SHOTGUN, {{}, 0.0f, 20, palette_color(0), 60.0f}},
+    {dm2::TE_BULLET_SPARKS, {{}, 0.0f, 6, palette_color(0xe0), 60.0f}},
+    {dm2::TE_SPARKS, {{}, 0.0f, 6, palette_color(0xe0), 60.0f}},
+    {dm2::TE_SCREEN_SPARKS, {{}, 0.0f, 40, palette_color(0xd0), 60.0f}},
+    {dm2::TE_SHIELD_SPARKS, {{}, 0.0f, 40, palette_color(0xb0), 60.0f}},
+    {dm2::TE_ELECTRIC_SPARKS, {{}, 0.0f, 40, palette_color(0x75), 60.0f}},
+    {dm2::TE_HEATBEAM_SPARKS, {{}, 0.0f, 50, palette_color(8), 60.0f}},
+    {dm2::TE_HEATBEAM_STEAM, {{}, 0.0f, 20, palette_color(0xe0), 60.0f}},
+    {dm2::TE_BLOOD, {{}, 0.0f, 60, palette_color(0xe8), 60.0f}},
+    {dm2::TE_MOREBLOOD, {{}, 0.0f, 250, palette_color(0xe8), 60.0f}},
+    {dm2::TE_GREENBLOOD, {{}, 0.0f, 30, palette_color(0xdf), 60.0f}},
+    {dm2::TE_SPLASH, {{}, 0.0f, as_said, white, 60.0f}},
+    {dm2::TE_LASER_SPARKS, {{}, 0.0f, as_said, white, 60.0f}},
+    {dm2::TE_TUNNEL_SPARKS, {{}, 0.0f, as_said, white, 60.0f}},
+    {dm2::TE_WELDING_SPARKS, {{137.0f, {1.0f, 1.0f, 0.3f}}, 0.2f, as_said, white, 60.0f}},
+    {dm2::TE_STEAM, {{}, 0.0f, as_said, white, 80.0f}},
+    {dm2::TE_BLUEHYPERBLASTER, {{}, 0.0f, 40, palette_color(0xe0), 80.0f}},
+    {dm2::TE_BLASTER, {{wall, yellow}, 0.4f, 40, palette_color(0xe0), 80.0f}},
+    {dm2::TE_BLASTER2, {{wall, green}, 0.4f, 40, palette_color(0xd0), 80.0f}},
+    {dm2::TE_FLECHETTE, {{wall, {0.19f, 0.41f, 0.75f}}, 0.4f, 40, palette_color(0x6f), 80.0f}},
+    {dm2::TE_EXPLOSION1, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_EXPLOSION2, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_ROCKET_EXPLOSION, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_GRENADE_EXPLOSION, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_ROCKET_EXPLOSION_WATER, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_GRENADE_EXPLOSION_WATER, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_PLASMA_EXPLOSION, {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f}},
+    {dm2::TE_EXPLOSION1_BIG, {{big, explosion}, 1.5f, 0, white, 0.0f}},
+    {dm2::TE_EXPLOSION1_NP, {{big, explosion}, 1.5f, 0, white, 0.0f}},
+    {dm2::TE_PLAIN_EXPLOSION, {{big, explosion}, 1.5f, 0, white, 0.0f}},
+    {dm2::TE_BFG_EXPLOSION, {{big, green}, 0.4f, 0, white, 0.0f}},
+    {dm2::TE_BFG_BIGEXPLOSION, {{}, 0.0f, 256, palette_color(0xd0), 190.0f}},
+    {dm2::TE_BOSSTPORT, {{}, 0.0f, 256, palette_color(7), 120.0f}},
+    {dm2::TE_TELEPORT_EFFECT, {{}, 0.0f, 256, palette_color(7), 120.0f}},
+    {dm2::TE_DBALL_GOAL, {{}, 0.0f, 256, palette_color(7), 120.0f}},
+    {dm2::TE_TRACKER_EXPLOSION, {{}, 0.0f, 128, palette_color(0), 150.0f}},
+    {dm2::TE_WIDOWSPLASH, {{}, 0.0f, 128, palette_color(0), 150.0f}},
+    {dm2::TE_WIDOWBEAMOUT, {{300.0f, green}, 2.1f, 0, white, 0.0f}},
+    {dm2::TE_NUKEBLAST, {{600.0f, white}, 1.0f, 256, palette_color(0xe0), 300.0f}},
+    {dm2::TE_FLASHLIGHT, {{400.0f, white}, 0.1f, 0, white, 0.0f}},
+    {dm2::TE_CHAINFIST_SMOKE, {{}, 0.0f, 20, palette_color(0), 20.0f}},
+};
 
 } // namespace
 
@@ -136,90 +178,23 @@ Flash muzzle_flash(const dm2::MuzzleFlash& flash) {
         result.light = {215.0f, monster_flash_color(flash.weapon)};
         return result;
     }
-    result.light = player_flash(flash.weapon);
+    const auto* row = std::ranges::find(player_flashes, flash.weapon, &FlashRow::weapon);
+    // Blasters, machine gun and shot guns are the others.
+    result.light = row != std::end(player_flashes) ? row->light : EffectLight{215.0f, yellow};
     if (flash.silenced) result.light.radius -= 100.0f;
     if (flash.weapon == 9 || flash.weapon == 10 || flash.weapon == 11) result.seconds = 1.0f;
     return result;
 }
 
 Burst burst_of(const dm2::TempEntity& effect) {
-    using namespace dm2;
-    constexpr float big = 350.0f, wall = 150.0f;
-    switch (effect.type) {
-    case TE_GUNSHOT:
-    case TE_SHOTGUN:
-        return {{}, 0.0f, 20, palette_color(0), 60.0f};
-    case TE_BULLET_SPARKS:
-        return {{}, 0.0f, 6, palette_color(0xe0), 60.0f};
-    case TE_SPARKS:
-        return {{}, 0.0f, 6, palette_color(0xe0), 60.0f};
-    case TE_SCREEN_SPARKS:
-        return {{}, 0.0f, 40, palette_color(0xd0), 60.0f};
-    case TE_SHIELD_SPARKS:
-        return {{}, 0.0f, 40, palette_color(0xb0), 60.0f};
-    case TE_ELECTRIC_SPARKS:
-        return {{}, 0.0f, 40, palette_color(0x75), 60.0f};
-    case TE_HEATBEAM_SPARKS:
-        return {{}, 0.0f, 50, palette_color(8), 60.0f};
-    case TE_HEATBEAM_STEAM:
-        return {{}, 0.0f, 20, palette_color(0xe0), 60.0f};
-    case TE_BLOOD:
-        return {{}, 0.0f, 60, palette_color(0xe8), 60.0f};
-    case TE_MOREBLOOD:
-        return {{}, 0.0f, 250, palette_color(0xe8), 60.0f};
-    case TE_GREENBLOOD:
-        return {{}, 0.0f, 30, palette_color(0xdf), 60.0f};
-    case TE_SPLASH:
-    case TE_LASER_SPARKS:
-    case TE_TUNNEL_SPARKS:
-        return {{}, 0.0f, effect.count, palette_color(effect.color), 60.0f};
-    case TE_WELDING_SPARKS:
-        return {
-            {137.0f, {1.0f, 1.0f, 0.3f}}, 0.2f, effect.count, palette_color(effect.color), 60.0f};
-    case TE_STEAM:
-        return {{}, 0.0f, effect.count, palette_color(effect.color), 80.0f};
-    case TE_BLUEHYPERBLASTER:
-        return {{}, 0.0f, 40, palette_color(0xe0), 80.0f};
-    case TE_BLASTER:
-        return {{wall, yellow}, 0.4f, 40, palette_color(0xe0), 80.0f};
-    case TE_BLASTER2:
-        return {{wall, green}, 0.4f, 40, palette_color(0xd0), 80.0f};
-    case TE_FLECHETTE:
-        return {{wall, {0.19f, 0.41f, 0.75f}}, 0.4f, 40, palette_color(0x6f), 80.0f};
-    case TE_EXPLOSION1:
-    case TE_EXPLOSION2:
-    case TE_ROCKET_EXPLOSION:
-    case TE_GRENADE_EXPLOSION:
-    case TE_ROCKET_EXPLOSION_WATER:
-    case TE_GRENADE_EXPLOSION_WATER:
-    case TE_PLASMA_EXPLOSION:
-        return {{big, explosion}, 1.5f, 256, palette_color(0xe0), 190.0f};
-    case TE_EXPLOSION1_BIG:
-    case TE_EXPLOSION1_NP:
-    case TE_PLAIN_EXPLOSION:
-        return {{big, explosion}, 1.5f, 0, white, 0.0f};
-    case TE_BFG_EXPLOSION:
-        return {{big, green}, 0.4f, 0, white, 0.0f};
-    case TE_BFG_BIGEXPLOSION:
-        return {{}, 0.0f, 256, palette_color(0xd0), 190.0f};
-    case TE_BOSSTPORT:
-    case TE_TELEPORT_EFFECT:
-    case TE_DBALL_GOAL:
-        return {{}, 0.0f, 256, palette_color(7), 120.0f};
-    case TE_TRACKER_EXPLOSION:
-    case TE_WIDOWSPLASH:
-        return {{}, 0.0f, 128, palette_color(0), 150.0f};
-    case TE_WIDOWBEAMOUT:
-        return {{300.0f, green}, 2.1f, 0, white, 0.0f};
-    case TE_NUKEBLAST:
-        return {{600.0f, white}, 1.0f, 256, palette_color(0xe0), 300.0f};
-    case TE_FLASHLIGHT:
-        return {{400.0f, white}, 0.1f, 0, white, 0.0f};
-    case TE_CHAINFIST_SMOKE:
-        return {{}, 0.0f, 20, palette_color(0), 20.0f};
-    default:
-        return {};
+    const auto* row = std::ranges::find(bursts, effect.type, &BurstRow::type);
+    if (row == std::end(bursts)) return {};
+    Burst burst = row->burst;
+    if (burst.particles == as_said) {
+        burst.particles = effect.count;
+        burst.particle_color = palette_color(effect.color);
     }
+    return burst;
 }
 
 refresh::DynamicLight dynamic_light(uint32_t id, const glm::vec3& origin,
