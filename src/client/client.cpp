@@ -41,7 +41,6 @@ Client::Client(const ClientParts& parts)
     add_level_commands(*this);
     add_view_commands(*this);
     add_picture_commands(*this);
-    add_fly_command(*this);
     add_play_commands(*this);
     add_guiding_commands(*this);
     add_preset_commands(*this);
@@ -226,7 +225,7 @@ ImDrawData* Client::draw_overlay(const refresh::Compilation* compilation, double
     const bool crosshair = !full && variables_->pt_view != 0;
     const bool stats = variables_->scr_stats != 0 && !full;
     if (stats && seconds > 0.0)
-        stats_.add_frame(seconds, session_.recent_times(), variables_, picture_size());
+        stats_.add_frame(seconds, session_.pass_statistics(), variables_, picture_size());
     return overlay_.draw({console_, menu_, stats ? stats_.lines() : no_stats_,
                           variables_->con_notify, full, crosshair, compilation},
                          picture_size(), seconds);
@@ -234,21 +233,27 @@ ImDrawData* Client::draw_overlay(const refresh::Compilation* compilation, double
 
 void Client::load_map(std::string_view name) {
     log_info("loading {} ...", name);
-    show_loading();
+    replace_level([&] {
+        session_.load_map(name);
+        if (!headless()) start_play();
+    });
+}
+
+void Client::replace_level(const std::function<void()>& load) {
+    if (!headless() && picture_size() != glm::ivec2(0)) render(0.0);
     end_flight();
     end_demo();
     keep_recording();
     end_play();
-    session_.load_map(name);
-    if (!headless()) start_play();
-    console_.set_open(false);
-    menu_.close();
+    load();
+    close_screens();
     if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
     last_frame_s_ = clock_.seconds();
 }
 
-void Client::show_loading() {
-    if (!headless() && picture_size() != glm::ivec2(0)) render(0.0);
+void Client::close_screens() {
+    console_.set_open(false);
+    menu_.close();
 }
 
 void Client::start_play() {
@@ -275,8 +280,7 @@ void Client::write_walk() {
 void Client::start_flight(Route route, RunPlan plan) {
     end_play();
     flight_ = std::make_unique<FlyThrough>(std::move(route), std::move(plan));
-    console_.set_open(false);
-    menu_.close();
+    close_screens();
 }
 
 void Client::end_flight() {
@@ -314,18 +318,11 @@ void Client::finish_flight_frame(double seconds) {
 }
 
 void Client::start_demo(DemoPlayback demo) {
-    end_flight();
-    end_demo();
-    keep_recording();
-    end_play();
     if (!headless()) log_info("loading ...");
-    show_loading();
-    demo.start(session_);
-    demo_ = std::make_unique<DemoPlayback>(std::move(demo));
-    console_.set_open(false);
-    menu_.close();
-    if (!headless()) window_->set_title(fmt::format("Vigil - {}", session_.level()->name));
-    last_frame_s_ = clock_.seconds();
+    replace_level([&] {
+        demo.start(session_);
+        demo_ = std::make_unique<DemoPlayback>(std::move(demo));
+    });
 }
 
 void Client::finish_demo_frame(double seconds) {
@@ -393,6 +390,20 @@ void Client::show_title(double seconds) {
 
 void Client::limit_rate(double frame_start_s) const {
     sleep_for(1.0 / variables_->cl_maxfps - (clock_.seconds() - frame_start_s));
+}
+
+void add_commands(Client& client, std::initializer_list<ClientCommand> rows) {
+    for (const ClientCommand& row : rows) {
+        CommandCompletion complete;
+        if (row.names)
+            complete = [&client, names = row.names](CommandArguments finished) {
+                return finished.empty() ? names(client) : std::vector<std::string>();
+            };
+        client.commands().add(
+            row.name, row.help,
+            [&client, run = row.run](CommandArguments words) { run(client, words); },
+            std::move(complete));
+    }
 }
 
 } // namespace vigil::client

@@ -141,8 +141,10 @@ private:
     /// Ends a recording under way; what was recorded is kept.
     void keep_recording();
     bool measuring() const { return flight_ || (demo_ && demo_->timed()); }
-    /// Loading takes a while; the last frame before it says what is going on.
-    void show_loading();
+    /// Ends what goes on in the level and loads another, or the same one anew. That takes a while:
+    /// a last frame before it says what is going on.
+    void replace_level(const std::function<void()>& load);
+    void close_screens();
     void show_title(double seconds);
     void limit_rate(double frame_start_s) const;
     bool mouse_look() const;
@@ -178,11 +180,20 @@ private:
     double title_s_ = 0.0;
 };
 
+/// A row of the client's commands.
+struct ClientCommand {
+    const char* name;
+    const char* help; ///< as of CommandRegistry::Command
+    std::function<void(Client& client, CommandArguments arguments)> run;
+    /// What the first word may be.
+    std::function<std::vector<std::string>(const Client& client)> names = {};
+};
+void add_commands(Client& client, std::initializer_list<ClientCommand> rows);
+
 /// The client's commands by what they are about; each file adds its own.
 void add_level_commands(Client& client);
 void add_view_commands(Client& client);
 void add_picture_commands(Client& client);
-void add_fly_command(Client& client);
 void add_play_commands(Client& client);
 void add_guiding_commands(Client& client);
 void add_preset_commands(Client& client);
@@ -191,6 +202,9 @@ void add_demo_commands(Client& client);
 void add_compare_commands(Client& client);
 /// togglemenu, resolution.
 void add_window_commands(Client& client);
+
+/// Says what names there are of something, and how many.
+void log_names(const std::vector<std::string>& names, std::string_view of_what);
 
 /// Names for `demomap`.
 std::vector<std::string> list_demos(const Client& client);

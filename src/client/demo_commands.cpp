@@ -55,9 +55,6 @@ std::vector<uint8_t> read_demo(const Client& client, const std::string& path) {
 }
 
 void demomap(Client& client, CommandArguments arguments) {
-    constexpr std::string_view usage = "demomap NAME.dm2 [PREFIX EVERY]";
-    check_count(arguments, 1, 3, usage);
-    if (arguments.size() == 2) fail("usage: {}", usage);
     const int repetitions = client.variables()->timedemo;
     RunPlan plan;
     plan.kind = "demo";
@@ -79,7 +76,6 @@ void demomap(Client& client, CommandArguments arguments) {
 }
 
 void record(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 2, "record NAME [ROUTE]");
     const std::string path = demo_path(arguments[0]);
     const Session& session = client.session();
     if (session.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
@@ -108,6 +104,15 @@ void record(Client& client, CommandArguments arguments) {
     client.write_recording(path, recorder);
 }
 
+void stop(Client& client, CommandArguments) {
+    if (client.recording())
+        client.stop_recording();
+    else if (client.playing())
+        client.end_demo();
+    else
+        fail("nothing is recorded or played");
+}
+
 } // namespace
 
 std::vector<std::string> list_demos(const Client& client) {
@@ -126,35 +131,19 @@ std::vector<std::string> list_demos(const Client& client) {
 }
 
 void add_demo_commands(Client& client) {
-    CommandRegistry& commands = client.commands();
-    const auto complete = [&client](CommandArguments arguments) {
-        return arguments.empty() ? list_demos(client) : std::vector<std::string>();
-    };
-    commands.add(
-        "demomap",
-        "NAME.dm2 [PREFIX EVERY]: plays a demo; with `timedemo 1` every frame once, as fast as it "
-        "can, every EVERY-th as PREFIX_000.png ...",
-        [&client](CommandArguments arguments) { demomap(client, arguments); }, complete);
-    commands.add("demos", ": lists the demos that can be played", [&client](CommandArguments) {
-        const std::vector<std::string> names = list_demos(client);
-        for (const std::string& name : names)
-            log_info("  {}", name);
-        log_info("{} demos", names.size());
-    });
-    commands.add(
-        "record",
-        "NAME [ROUTE]: records what is flown until `stop`, or routes/ROUTE.route at once, as "
-        "outdir/demos/NAME.dm2",
-        [&client](CommandArguments arguments) { record(client, arguments); });
-    commands.add("stop", ": ends the recording, or the demo that plays",
-                 [&client](CommandArguments) {
-                     if (client.recording())
-                         client.stop_recording();
-                     else if (client.playing())
-                         client.end_demo();
-                     else
-                         fail("nothing is recorded or played");
-                 });
+    add_commands(
+        client,
+        {{"demomap",
+          "NAME.dm2 [PREFIX EVERY]: plays a demo; with `timedemo 1` every frame once, as fast as "
+          "it can, every EVERY-th as PREFIX_000.png ...",
+          demomap, list_demos},
+         {"demos", ": lists the demos that can be played",
+          [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},
+         {"record",
+          "NAME [ROUTE]: records what is flown until `stop`, or routes/ROUTE.route at once, as "
+          "outdir/demos/NAME.dm2",
+          record},
+         {"stop", ": ends the recording, or the demo that plays", stop}});
 }
 
 } // namespace vigil::client

@@ -19,7 +19,6 @@ void say_view(Client& client) {
 }
 
 void view(Client& client, CommandArguments arguments) {
-    check_count(arguments, 0, 1, "view [NAME]");
     const int now = client.commands().variables()->pt_view;
     if (!arguments.empty()) {
         client.commands().set_variable("pt_view", arguments[0]);
@@ -37,15 +36,7 @@ void step_view(Client& client, int step) {
     say_view(client);
 }
 
-std::vector<std::string> view_candidates(CommandArguments arguments) {
-    std::vector<std::string> names;
-    if (!arguments.empty()) return names;
-    for (const ViewInfo& info : view_infos)
-        names.emplace_back(info.name);
-    return names;
-}
-
-void guiding(Client& client) {
+void guiding(Client& client, CommandArguments) {
     Session& session = client.session_in_level();
     session.take_frame_times(true);
     log_info("{}", guiding_text(session.renderer().report_guiding()));
@@ -53,41 +44,36 @@ void guiding(Client& client) {
         log_info("{}", session.count_statistics().table());
 }
 
-void vlcinfo(Client& client) {
-    Session& session = client.session_in_level();
-    session.render_if_stale(); // `setviewpos ...; vlcinfo` is about the new view
-    log_info("{}", light_cache_text(session.renderer().report_guiding()));
-}
-
-void cdqinfo(Client& client) {
+/// `setviewpos ...; vlcinfo` is about the new view.
+auto under_crosshair(Client& client) {
     Session& session = client.session_in_level();
     session.render_if_stale();
-    log_info("{}", quadtree_text(session.renderer().report_guiding()));
+    return session.renderer().report_guiding();
 }
 
 } // namespace
 
 void add_guiding_commands(Client& client) {
-    CommandRegistry& commands = client.commands();
-    commands.add(
-        "view",
-        "[NAME]: shows what the path tracer knows instead of the picture, or lists the views",
-        [&client](CommandArguments arguments) { view(client, arguments); }, view_candidates);
-    commands.add("viewnext", ": the next view of the list; after the last one, the picture",
-                 [&client](CommandArguments) { step_view(client, 1); });
-    commands.add("viewprev", ": the view before",
-                 [&client](CommandArguments) { step_view(client, -1); });
-    commands.add("guiding",
-                 ": memory of octree and light caches, and what they counted in recent frames",
-                 [&client](CommandArguments) { guiding(client); });
-    commands.add("guidingreset", ": forgets what frames taught (octree, caches, shadow statistics)",
-                 [&client](CommandArguments) { client.session_in_level().reset_guiding(); });
-    commands.add("vlcinfo", ": the octree's leaf under the crosshair and the lights of its cache",
-                 [&client](CommandArguments) { vlcinfo(client); });
-    commands.add(
-        "cdqinfo",
-        ": the quadtree of directions of the leaf under the crosshair, and how its rays did",
-        [&client](CommandArguments) { cdqinfo(client); });
+    const auto views = [](const Client&) { return choice_names(*find_cvar("pt_view")); };
+    add_commands(
+        client,
+        {{"view",
+          "[NAME]: shows what the path tracer knows instead of the picture, or lists the views",
+          view, views},
+         {"viewnext", ": the next view of the list; after the last one, the picture",
+          [](Client& c, CommandArguments) { step_view(c, 1); }},
+         {"viewprev", ": the view before", [](Client& c, CommandArguments) { step_view(c, -1); }},
+         {"guiding", ": memory of octree and light caches, and what they counted in recent frames",
+          guiding},
+         {"guidingreset", ": forgets what frames taught (octree, caches, shadow statistics)",
+          [](Client& c, CommandArguments) { c.session_in_level().reset_guiding(); }},
+         {"vlcinfo", ": the octree's leaf under the crosshair and the lights of its cache",
+          [](Client& c, CommandArguments) {
+              log_info("{}", light_cache_text(under_crosshair(c)));
+          }},
+         {"cdqinfo",
+          ": the quadtree of directions of the leaf under the crosshair, and how its rays did",
+          [](Client& c, CommandArguments) { log_info("{}", quadtree_text(under_crosshair(c))); }}});
 }
 
 } // namespace vigil::client

@@ -11,15 +11,7 @@ namespace vigil::client {
 
 namespace {
 
-void list_maps(Client& client) {
-    const std::vector<std::string> names = list_levels(client.session().files());
-    for (const std::string& name : names)
-        log_info("  {}", name);
-    log_info("{} levels", names.size());
-}
-
 void turn(Client& client, CommandArguments arguments) {
-    check_count(arguments, 2, 4, "turn TARGETNAME YAW [PITCH ROLL]");
     const float yaw = number_at(arguments, 1, "the yaw");
     const float pitch = arguments.size() > 2 ? number_at(arguments, 2, "the pitch") : 0.0f;
     const float roll = arguments.size() > 3 ? number_at(arguments, 3, "the roll") : 0.0f;
@@ -27,7 +19,6 @@ void turn(Client& client, CommandArguments arguments) {
 }
 
 void lightstyle(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 2, "lightstyle N [VALUE|PATTERN]");
     Session& session = client.session_in_level();
     const int style = integer_at(arguments, 0, "the style", 0, refresh::light_style_count - 1);
     LightStyles styles = session.light_styles();
@@ -45,7 +36,6 @@ void lightstyle(Client& client, CommandArguments arguments) {
 }
 
 void dlight(Client& client, CommandArguments arguments) {
-    check_count(arguments, 8, 8, "dlight ID x y z RADIUS r g b");
     refresh::DynamicLight light;
     light.id = static_cast<uint32_t>(integer_at(arguments, 0, "the id", 0, 1'000'000));
     light.origin = vector_at(arguments, 1, "the place");
@@ -58,61 +48,58 @@ void dlight(Client& client, CommandArguments arguments) {
     client.session_in_level().set_dynamic_light(light);
 }
 
-void scene(Client& client) {
+void scene(Client& client, CommandArguments) {
     const refresh::Renderer& renderer = client.session_in_level().renderer();
     const refresh::Settings& settings = client.commands().variables().values();
     log_info("{}", scene_text(renderer.report_scene(settings), renderer.report_guiding(),
                               renderer.health(), settings));
 }
 
+void passes(Client& client, CommandArguments) {
+    client.session().take_frame_times(true);
+    PassStatistics& statistics = client.session().pass_statistics();
+    log_info("{}", statistics.table());
+    statistics.clear();
+}
+
 } // namespace
 
+void log_names(const std::vector<std::string>& names, std::string_view of_what) {
+    for (const std::string& name : names)
+        log_info("  {}", name);
+    log_info("{} {}", names.size(), of_what);
+}
+
 void add_level_commands(Client& client) {
-    CommandRegistry& commands = client.commands();
-    commands.add(
-        "map", "NAME: loads a level and starts in it",
-        [&client](CommandArguments arguments) {
-            check_count(arguments, 1, 1, "map NAME (`maps` lists the levels)");
-            client.load_map(arguments[0]);
-        },
-        [&client](CommandArguments arguments) {
-            return arguments.empty() ? list_levels(client.session().files())
-                                     : std::vector<std::string>();
-        });
-    commands.add("maps", ": lists the levels that can be loaded",
-                 [&client](CommandArguments) { list_maps(client); });
-    commands.add(
-        "turn", "TARGETNAME YAW [PITCH ROLL]: turns a brush model of the level, in degrees",
-        [&client](CommandArguments arguments) { turn(client, arguments); },
-        [&client](CommandArguments arguments) {
-            return arguments.empty() ? client.session().entities().targets()
-                                     : std::vector<std::string>();
-        });
-    commands.add("lightstyle",
-                 "N [VALUE|PATTERN]: brightness of light style N, a factor or letters a (dark), m "
-                 "(normal) to z, ten per second",
-                 [&client](CommandArguments arguments) { lightstyle(client, arguments); });
-    commands.add("dlight", "ID x y z RADIUS r g b: puts a glowing ball of that radiance somewhere",
-                 [&client](CommandArguments arguments) { dlight(client, arguments); });
-    commands.add("dlight_clear", ": removes what dlight put there",
-                 [&client](CommandArguments) { client.session().clear_dynamic_lights(); });
-    commands.add("flashlight", ": switches the flashlight in your hand on or off",
-                 [&client](CommandArguments) {
-                     client.session_in_level().set_flashlight(!client.session().flashlight());
-                 });
-    commands.add("scene", ": says what the level switched on in the renderer, and why",
-                 [&client](CommandArguments) { scene(client); });
-    commands.add(
-        "device", ": names the graphics device and its driver",
-        [&client](CommandArguments) { log_info("{}", client.session().renderer().device_name()); });
-    commands.add("passes", ": table of GPU times since the last call or the level's start",
-                 [&client](CommandArguments) {
-                     client.session().take_frame_times(true);
-                     PassStatistics& statistics = client.session().pass_statistics();
-                     log_info("{}", statistics.table());
-                     statistics.clear();
-                 });
-    commands.add("quit", ": ends the program", [&client](CommandArguments) { client.quit(); });
+    const auto levels = [](const Client& c) { return list_levels(c.session().files()); };
+    const auto targets = [](const Client& c) { return c.session().entities().targets(); };
+    add_commands(
+        client,
+        {{"map", "NAME: loads a level and starts in it; `maps` lists the levels",
+          [](Client& c, CommandArguments arguments) { c.load_map(arguments[0]); }, levels},
+         {"maps", ": lists the levels that can be loaded",
+          [levels](Client& c, CommandArguments) { log_names(levels(c), "levels"); }},
+         {"turn", "TARGETNAME YAW [PITCH [ROLL]]: turns a brush model of the level, in degrees",
+          turn, targets},
+         {"lightstyle",
+          "N [VALUE|PATTERN]: brightness of light style N, a factor or letters a (dark), m "
+          "(normal) to z, ten per second",
+          lightstyle},
+         {"dlight", "ID x y z RADIUS r g b: puts a glowing ball of that radiance somewhere",
+          dlight},
+         {"dlight_clear", ": removes what dlight put there",
+          [](Client& c, CommandArguments) { c.session().clear_dynamic_lights(); }},
+         {"flashlight", ": switches the flashlight in your hand on or off",
+          [](Client& c, CommandArguments) {
+              c.session_in_level().set_flashlight(!c.session().flashlight());
+          }},
+         {"scene", ": says what the level switched on in the renderer, and why", scene},
+         {"device", ": names the graphics device and its driver",
+          [](Client& c, CommandArguments) {
+              log_info("{}", c.session().renderer().device_name());
+          }},
+         {"passes", ": table of GPU times since the last call or the level's start", passes},
+         {"quit", ": ends the program", [](Client& c, CommandArguments) { c.quit(); }}});
 }
 
 } // namespace vigil::client

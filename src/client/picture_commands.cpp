@@ -42,7 +42,6 @@ Session& current_picture(Client& client) {
 }
 
 void screenshot(Client& client, CommandArguments arguments) {
-    check_count(arguments, 0, 1, "screenshot [NAME]");
     const std::filesystem::path path =
         arguments.empty() ? numbered_path() : path_of(arguments[0], ".png");
     const refresh::Picture picture = current_picture(client).renderer().read_picture(false);
@@ -51,7 +50,6 @@ void screenshot(Client& client, CommandArguments arguments) {
 }
 
 void screenshot_hdr(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 1, "screenshot_hdr NAME");
     const std::filesystem::path path = path_of(arguments[0], ".exr");
     const refresh::RadiancePicture picture = current_picture(client).renderer().read_radiance();
     write_exr(path, picture);
@@ -60,7 +58,6 @@ void screenshot_hdr(Client& client, CommandArguments arguments) {
 }
 
 void export_scene(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 1, "exportscene NAME.gltf");
     Session& session = client.session();
     if (session.level() == nullptr) fail("there is no scene before a level is loaded");
     const std::filesystem::path path = path_of(arguments[0], ".gltf");
@@ -68,11 +65,7 @@ void export_scene(Client& client, CommandArguments arguments) {
 }
 
 void fly(Client& client, CommandArguments arguments) {
-    constexpr std::string_view usage = "fly ROUTE [FPS] [PREFIX EVERY]";
-    check_count(arguments, 1, 4, usage);
-    if (arguments.size() == 3) fail("usage: {}", usage);
-    if (client.session().level() == nullptr) fail("no level is loaded; `map NAME` loads one");
-
+    const FileSystem& files = client.session_in_level().files();
     RunPlan plan;
     plan.name = route_name(arguments[0]);
     if (arguments.size() > 1) {
@@ -86,7 +79,7 @@ void fly(Client& client, CommandArguments arguments) {
     plan.json = client.commands().variables()->timedemo_json;
     plan.size = client.picture_size();
 
-    Route route = load_route(client.session().files(), plan.name);
+    Route route = load_route(files, plan.name);
     checked_frame_count(route, plan.name, plan.fps);
     client.start_flight(std::move(route), std::move(plan));
     client.commands().pause_script_until([&client] { return !client.flying(); });
@@ -95,26 +88,16 @@ void fly(Client& client, CommandArguments arguments) {
 } // namespace
 
 void add_picture_commands(Client& client) {
-    CommandRegistry& commands = client.commands();
-    commands.add("screenshot", "[NAME]: writes the picture as PNG",
-                 [&client](CommandArguments arguments) { screenshot(client, arguments); });
-    commands.add("screenshot_hdr", "NAME: writes linear radiance as EXR",
-                 [&client](CommandArguments arguments) { screenshot_hdr(client, arguments); });
-    commands.add("exportscene", "NAME.gltf: writes the level with this camera as glTF 2.0",
-                 [&client](CommandArguments arguments) { export_scene(client, arguments); });
-}
-
-void add_fly_command(Client& client) {
-    client.commands().add(
-        "fly",
-        "ROUTE [FPS] [PREFIX EVERY]: flies the camera along routes/ROUTE.route, FPS frames per "
-        "second "
-        "of the route, every EVERY-th as PREFIX_000.png ...; then prints the times",
-        [&client](CommandArguments arguments) { fly(client, arguments); },
-        [&client](CommandArguments arguments) {
-            return arguments.empty() ? list_routes(client.session().files())
-                                     : std::vector<std::string>();
-        });
+    const auto routes = [](const Client& c) { return list_routes(c.session().files()); };
+    add_commands(
+        client,
+        {{"screenshot", "[NAME]: writes the picture as PNG", screenshot},
+         {"screenshot_hdr", "NAME: writes linear radiance as EXR", screenshot_hdr},
+         {"exportscene", "NAME.gltf: writes the level with this camera as glTF 2.0", export_scene},
+         {"fly",
+          "ROUTE [FPS] [PREFIX EVERY]: flies the camera along routes/ROUTE.route, FPS frames per "
+          "second of the route, every EVERY-th as PREFIX_000.png ...; then prints the times",
+          fly, routes}});
 }
 
 } // namespace vigil::client

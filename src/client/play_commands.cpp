@@ -17,7 +17,7 @@ void check_playable(const Client& client) {
     if (session.played() != nullptr) fail("a demo is shown; `map NAME` begins something new");
 }
 
-void noclip(Client& client) {
+void noclip(Client& client, CommandArguments) {
     check_playable(client);
     const bool fresh = client.play() == nullptr;
     if (fresh) {
@@ -37,7 +37,7 @@ void noclip(Client& client) {
     }
 }
 
-void player_info(Client& client) {
+void player_info(Client& client, CommandArguments) {
     if (client.play() == nullptr) fail("nobody walks; `noclip` begins to");
     const PlayerState& player = client.play()->game().player();
     log_info("player {} {} {}, velocity {} {} {}, {}{}{}, tick {}", player.origin.x,
@@ -53,7 +53,6 @@ void player_info(Client& client) {
 }
 
 void walk(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 1, "walk NAME");
     check_playable(client);
     Walk walk = load_walk(client.session().files(), client.variables()->outdir, arguments[0]);
     client.start_play();
@@ -64,7 +63,6 @@ void walk(Client& client, CommandArguments arguments) {
 }
 
 void walk_record(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 1, "walkrecord NAME");
     check_playable(client);
     const std::string path = walk_path(arguments[0]);
     check_output(output_path(path));
@@ -73,7 +71,7 @@ void walk_record(Client& client, CommandArguments arguments) {
     log_info("recording {} from the level's start; `walkstop` ends it", path);
 }
 
-void walk_stop(Client& client) {
+void walk_stop(Client& client, CommandArguments) {
     if (client.play() != nullptr && client.play()->recording())
         client.write_walk();
     else if (client.play() != nullptr && client.play()->following())
@@ -85,23 +83,20 @@ void walk_stop(Client& client) {
 } // namespace
 
 void add_play_commands(Client& client) {
-    CommandRegistry& commands = client.commands();
-    commands.add("noclip",
-                 ": from walking to flying through walls and back; without a window, the level "
-                 "comes to life with it",
-                 [&client](CommandArguments) { noclip(client); });
-    commands.add("playerinfo", ": place and speed of the player",
-                 [&client](CommandArguments) { player_info(client); });
-    commands.add("walk",
-                 "NAME: starts the level anew and follows outdir/walks/NAME.walk, or that of the "
-                 "game",
-                 [&client](CommandArguments arguments) { walk(client, arguments); });
-    commands.add("walkrecord",
-                 "NAME: starts the level anew and records keys and view of every tick until "
-                 "`walkstop`",
-                 [&client](CommandArguments arguments) { walk_record(client, arguments); });
-    commands.add("walkstop", ": ends the walk that is recorded or followed",
-                 [&client](CommandArguments) { walk_stop(client); });
+    add_commands(
+        client,
+        {{"noclip",
+          ": from walking to flying through walls and back; without a window, the level comes to "
+          "life with it",
+          noclip},
+         {"playerinfo", ": place and speed of the player", player_info},
+         {"walk",
+          "NAME: starts the level anew and follows outdir/walks/NAME.walk, or that of the game",
+          walk},
+         {"walkrecord",
+          "NAME: starts the level anew and records keys and view of every tick until `walkstop`",
+          walk_record},
+         {"walkstop", ": ends the walk that is recorded or followed", walk_stop}});
 }
 
 } // namespace vigil::client

@@ -13,9 +13,8 @@ namespace vigil::client {
 
 namespace {
 
-std::vector<std::string> preset_names(CommandArguments arguments) {
+std::vector<std::string> preset_names() {
     std::vector<std::string> names;
-    if (!arguments.empty()) return names;
     for (const Preset& preset : presets())
         names.emplace_back(preset.name);
     return names;
@@ -33,12 +32,11 @@ void list_presets(const CvarRegistry& variables) {
 }
 
 void set_preset(Client& client, CommandArguments arguments) {
-    check_count(arguments, 0, 1, "pt_preset [NAME]");
     if (arguments.empty()) return list_presets(client.commands().variables());
     const auto preset = std::ranges::find(presets(), arguments[0], &Preset::name);
     if (preset == presets().end())
         fail("there is no preset \"{}\"; there are {}", arguments[0],
-             fmt::join(preset_names({}), ", "));
+             fmt::join(preset_names(), ", "));
     for (const PresetSetting& setting : preset->settings)
         client.commands().set_variable(setting.variable, std::string(setting.value));
 }
@@ -46,9 +44,10 @@ void set_preset(Client& client, CommandArguments arguments) {
 } // namespace
 
 void add_preset_commands(Client& client) {
-    client.commands().add(
-        "pt_preset", "[NAME]: speed against accuracy: fast, balanced or accurate; alone, a list",
-        [&client](CommandArguments arguments) { set_preset(client, arguments); }, preset_names);
+    add_commands(
+        client,
+        {{"pt_preset", "[NAME]: speed against accuracy: fast, balanced or accurate; alone, a list",
+          set_preset, [](const Client&) { return preset_names(); }}});
 }
 
 } // namespace vigil::client

@@ -8,7 +8,7 @@ namespace vigil::client {
 
 namespace {
 
-void toggle_menu(Client& client) {
+void toggle_menu(Client& client, CommandArguments) {
     if (client.menu().is_open()) {
         client.menu().close();
         return;
@@ -23,7 +23,6 @@ void resolution(Client& client, CommandArguments arguments) {
         log_info("the picture has {} x {} pixels", size.x, size.y);
         return;
     }
-    check_count(arguments, 2, 2, "resolution [WIDTH HEIGHT]");
     const auto& width = *find_cvar("vid_width");
     const int least = static_cast<int>(width.minimum), most = static_cast<int>(width.maximum);
     const glm::ivec2 size(integer_at(arguments, 0, "WIDTH", least, most),
@@ -39,12 +38,10 @@ void resolution(Client& client, CommandArguments arguments) {
 } // namespace
 
 void add_window_commands(Client& client) {
-    CommandRegistry& commands = client.commands();
-    commands.add("togglemenu", ": opens or closes the menu",
-                 [&client](CommandArguments) { toggle_menu(client); });
-    commands.add("resolution",
-                 "[WIDTH HEIGHT]: size of the window, or, without one, of the pictures",
-                 [&client](CommandArguments arguments) { resolution(client, arguments); });
+    add_commands(client, {{"togglemenu", ": opens or closes the menu", toggle_menu},
+                          {"resolution",
+                           "[WIDTH HEIGHT]: size of the window, or, without one, of the pictures",
+                           resolution}});
 }
 
 } // namespace vigil::client

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace vigil {
 
@@ -15,8 +16,24 @@ bool parse_number(std::string_view text, float& value) {
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
-void check_count(CommandArguments arguments, size_t least, size_t most, std::string_view usage) {
-    if (arguments.size() < least || arguments.size() > most) fail("usage: {}", usage);
+void for_each_number_line(std::string_view name, std::string_view text, size_t columns,
+                          std::string_view expected,
+                          const std::function<bool(std::span<const float>)>& allowed,
+                          const std::function<void(std::span<const float>, int line)>& visit) {
+    std::istringstream lines{std::string(text)};
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::vector<float> values;
+        bool good = true;
+        for (std::string word; words >> word;)
+            good &= parse_number(word, values.emplace_back());
+        if (values.empty()) continue;
+        if (!good || values.size() != columns || !allowed(values))
+            fail("{}, line {}: expected {}", name, number, expected);
+        visit(values, number);
+    }
 }
 
 float number_at(CommandArguments arguments, size_t index, std::string_view what) {

@@ -76,14 +76,12 @@ void add_variable_commands(CommandRegistry& commands) {
     commands.add(
         "set", "NAME VALUE: sets a variable",
         [&](CommandArguments arguments) {
-            check_count(arguments, 2, 2, "set NAME VALUE");
             commands.set_variable(known_cvar(arguments[0]).name, arguments[1]);
         },
         names_then_choices);
     commands.add(
         "seta", "NAME VALUE: sets a variable; for configuration files of other engines",
         [&](CommandArguments arguments) {
-            check_count(arguments, 2, 2, "seta NAME VALUE");
             const CvarInfo& info = known_cvar(arguments[0]);
             commands.set_variable(info.name, arguments[1]);
             if (info.life == CvarLife::Session)
@@ -92,15 +90,11 @@ void add_variable_commands(CommandRegistry& commands) {
         names_then_choices);
     commands.add(
         "reset", "NAME: sets a variable to its default",
-        [&](CommandArguments arguments) {
-            check_count(arguments, 1, 1, "reset NAME");
-            commands.reset_variable(known_cvar(arguments[0]).name);
-        },
+        [&](CommandArguments arguments) { commands.reset_variable(known_cvar(arguments[0]).name); },
         variable_names);
     commands.add(
-        "toggle", "NAME [VALUES]: 0 to 1 and back, the next choice, or the next of VALUES",
+        "toggle", "NAME [VALUES...]: 0 to 1 and back, the next choice, or the next of VALUES",
         [&](CommandArguments arguments) {
-            check_count(arguments, 1, SIZE_MAX, "toggle NAME [VALUES]");
             const CvarInfo& info = known_cvar(arguments[0]);
             commands.set_variable(info.name, next_value(info, variables, arguments.subspan(1)));
             log_info("{} \"{}\"", info.name, variables.get_text(info.name));
@@ -109,7 +103,6 @@ void add_variable_commands(CommandRegistry& commands) {
     commands.add(
         "cvarlist", "[PREFIX]: all variables; * marks those that differ from their default",
         [&](CommandArguments arguments) {
-            check_count(arguments, 0, 1, "cvarlist [PREFIX]");
             const auto rows = list_cvars(optional_word(arguments));
             for (const CvarInfo* info : rows) {
                 const std::string value = variables.get_text(info->name);
@@ -126,7 +119,6 @@ void add_help_commands(CommandRegistry& commands) {
     CvarRegistry& variables = commands.variables();
 
     commands.add("cmdlist", "[PREFIX]: all commands", [&](CommandArguments arguments) {
-        check_count(arguments, 0, 1, "cmdlist [PREFIX]");
         int count = 0;
         for (const auto& [name, command] : commands.commands()) {
             if (!starts_nocase(name, optional_word(arguments))) continue;
@@ -137,7 +129,6 @@ void add_help_commands(CommandRegistry& commands) {
     });
 
     const auto help = [&](CommandArguments arguments) {
-        check_count(arguments, 0, 1, "help [NAME]");
         if (arguments.empty()) {
             log_info(
                 "cmdlist [PREFIX] shows commands, cvarlist [PREFIX] variables; help NAME tells "
@@ -167,22 +158,20 @@ void add_help_commands(CommandRegistry& commands) {
 }
 
 void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
-    commands.add("echo", "WORDS: prints them",
+    commands.add("echo", "[WORDS...]: prints them",
                  [](CommandArguments arguments) { log_info("{}", join(arguments)); });
     commands.add("wait", "[FRAMES]: what follows in the same script waits for 1 or more frames",
                  [&](CommandArguments arguments) {
-                     check_count(arguments, 0, 1, "wait [FRAMES]");
                      commands.pause_script(
                          arguments.empty() ? 1 : integer_at(arguments, 0, "FRAMES", 0, INT_MAX));
                  });
     commands.add("exec", "FILE: runs the commands of a cfg file",
                  [&commands, read = std::move(read_script)](CommandArguments arguments) {
-                     check_count(arguments, 1, 1, "exec FILE");
                      const ScriptText script = read(arguments[0]);
                      commands.insert_text(script.text, arguments[0], script.trust);
                  });
 
-    commands.add("alias", "[NAME [COMMANDS]]: names a list of commands; shows one or all",
+    commands.add("alias", "[NAME [COMMANDS...]]: names a list of commands; shows one or all",
                  [&](CommandArguments arguments) {
                      if (arguments.empty()) {
                          for (const auto& [name, script] : commands.aliases())
@@ -197,10 +186,8 @@ void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
                          commands.set_alias(arguments[0], join(arguments.subspan(1)));
                      }
                  });
-    commands.add("unalias", "NAME: forgets an alias", [&](CommandArguments arguments) {
-        check_count(arguments, 1, 1, "unalias NAME");
-        commands.remove_alias(arguments[0]);
-    });
+    commands.add("unalias", "NAME: forgets an alias",
+                 [&](CommandArguments arguments) { commands.remove_alias(arguments[0]); });
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace vigil {
@@ -34,6 +35,19 @@ constexpr std::size_t max_aliases = 1024;
 
 bool is_name_character(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (ascii_lower(c) >= 'a' && ascii_lower(c) <= 'z');
+}
+
+/// Whether ARGUMENTS of a command's help (command.h) can be so many words.
+bool takes_words(std::string_view help, std::size_t count) {
+    const std::size_t colon = help.find(':');
+    if (colon == std::string_view::npos) return true;
+    std::istringstream words{std::string(help.substr(0, colon))};
+    std::size_t before = 0;
+    for (std::string word; words >> word; ++before) {
+        if (word.starts_with('[') && before == count) return true;
+        if (word.find("...") != std::string::npos) return count > before;
+    }
+    return before == count;
 }
 
 } // namespace
@@ -226,6 +240,8 @@ void CommandRegistry::dispatch(const std::vector<std::string>& words) {
     const CommandArguments arguments = std::span(words).subspan(1);
 
     if (const auto command = commands_.find(name); command != commands_.end()) {
+        if (!takes_words(command->second.help, arguments.size()))
+            fail("usage: {} {}", name, command->second.help);
         const CommandFunction function = command->second.function; // it may remove itself
         function(arguments);
     } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {

@@ -48,7 +48,10 @@ struct Completion {
 class CommandRegistry {
 public:
     struct Command {
-        std::string help; ///< "ARGUMENTS: what it does", one line
+        /// "ARGUMENTS: what it does", one line. It is called with as many words as ARGUMENTS has,
+        /// or only those before a "["; "..." at the end stands for any number more. Without
+        /// a colon it takes any words.
+        std::string help;
         CommandFunction function;
         CommandCompletion complete;
     };

@@ -242,25 +242,30 @@ TEST_F(MenuTest, TheChoiceGoesRound) {
     EXPECT_EQ(menu_.chosen(), menu_.rows().size() - 1);
 }
 
-refresh::FrameTimes times_of(double tracing, double preparation, double other) {
-    return {0,
-            {{"primary", tracing / 2, refresh::PassGroup::PathTracing},
-             {"direct", tracing / 2, refresh::PassGroup::PathTracing},
-             {"guide_adapt", preparation, refresh::PassGroup::Preparation},
-             {"tonemap", other, refresh::PassGroup::Other}},
-            {}};
+std::vector<refresh::PassTime> times_of(double tracing, double preparation, double other) {
+    return {{"primary", tracing / 2, refresh::PassGroup::PathTracing},
+            {"direct", tracing / 2, refresh::PassGroup::PathTracing},
+            {"guide_adapt", preparation, refresh::PassGroup::Preparation},
+            {"tonemap", other, refresh::PassGroup::Other}};
 }
 
-TEST(RecentTimes, AreMeansOverTheLastFrames) {
-    RecentTimes recent;
-    EXPECT_TRUE(recent.means().empty());
-    recent.add_frame({0, {}, {}}); // a device without timestamps
-    EXPECT_TRUE(recent.empty());
+double sum_of(const std::vector<refresh::PassTime>& passes, refresh::PassGroup group) {
+    double sum = 0.0;
+    for (const refresh::PassTime& pass : passes)
+        if (pass.group == group) sum += pass.milliseconds;
+    return sum;
+}
+
+TEST(PassStatistics, RecentMeansAreOverTheLastFrames) {
+    PassStatistics recent;
+    EXPECT_TRUE(recent.recent_means(30).empty());
+    recent.add_frame({}); // a device without timestamps
+    EXPECT_TRUE(recent.recent_means(30).empty());
     for (int i = 0; i < 10; ++i)
         recent.add_frame(times_of(1000, 1000, 1000)); // long ago
-    for (size_t i = 0; i < RecentTimes::most_frames; ++i)
+    for (size_t i = 0; i < 30; ++i)
         recent.add_frame(i % 2 == 0 ? times_of(10, 2, 1) : times_of(20, 4, 3));
-    const std::vector<refresh::PassTime> means = recent.means();
+    const std::vector<refresh::PassTime> means = recent.recent_means(30);
     EXPECT_NEAR(sum_of(means, refresh::PassGroup::PathTracing), 15.0, 1e-9);
     EXPECT_NEAR(sum_of(means, refresh::PassGroup::Preparation), 3.0, 1e-9);
     EXPECT_NEAR(sum_of(means, refresh::PassGroup::Other), 2.0, 1e-9);
@@ -271,7 +276,7 @@ TEST(RecentTimes, AreMeansOverTheLastFrames) {
 
 TEST(ScreenStats, SaysWhatAPlayerWantsToKnowTwiceASecond) {
     CvarRegistry variables;
-    RecentTimes recent;
+    PassStatistics recent;
     recent.add_frame(times_of(10, 2, 1));
     ScreenStats stats;
     EXPECT_TRUE(stats.lines().empty());

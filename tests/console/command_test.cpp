@@ -24,7 +24,7 @@ protected:
             const bool packed = name.starts_with("packed");
             return ScriptText{file->second, packed ? Trust::Archive : Trust::Person};
         });
-        commands.add("do", "WORDS: remembers its words", [this](CommandArguments arguments) {
+        commands.add("do", "[WORDS...]: remembers its words", [this](CommandArguments arguments) {
             done.push_back(fmt::format("{}", fmt::join(arguments, " ")));
         });
         commands.add("explode", "fails", [](CommandArguments) { fail("bang"); });

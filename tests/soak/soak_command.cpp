@@ -26,7 +26,6 @@ void report(const Soak& soak, const refresh::Health& health, double seconds) {
 }
 
 void run_soak(Client& client, CommandArguments arguments) {
-    check_count(arguments, 1, 2, "soak MINUTES [SEED]");
     const double minutes = static_cast<double>(number_at(arguments, 0, "the minutes"));
     const auto seed =
         arguments.size() > 1 ? static_cast<uint32_t>(number_at(arguments, 1, "the seed")) : 1u;

@@ -8,19 +8,9 @@
 
 namespace vigil::client {
 
-namespace {
-
-/// Every frame of the route, once.
-RunPlan with_frames(RunPlan plan, const Route& route) {
-    plan.frames = route.frame_count(plan.fps);
-    return plan;
-}
-
-} // namespace
-
 FlyThrough::FlyThrough(Route route, RunPlan plan)
-    : route_(std::move(route)), run_(with_frames(std::move(plan), route_)),
-      frame_count_(run_.plan().frames) {
+    : route_(std::move(route)), frame_count_(route_.frame_count(plan.fps)),
+      run_(std::move(plan), frame_count_) {
     run_.check_outputs();
 }
 

@@ -30,8 +30,8 @@ public:
 
 private:
     Route route_;
-    TimedRun run_;
     int frame_count_ = 0;
+    TimedRun run_;
 };
 
 } // namespace vigil::client

@@ -18,17 +18,12 @@ int frame_count(const std::string& name, const std::vector<uint8_t>& bytes) {
     return frames;
 }
 
-RunPlan with_frames(RunPlan plan, int frames) {
-    plan.frames = frames;
-    return plan;
-}
-
 } // namespace
 
 DemoPlayback::DemoPlayback(std::string name, std::vector<uint8_t> bytes, int repetitions,
                            RunPlan plan)
     : name_(std::move(name)), bytes_(std::move(bytes)), repetitions_(repetitions),
-      run_(with_frames(std::move(plan), timed() ? repetitions * frame_count(name_, bytes_) : 0)) {
+      run_(std::move(plan), timed() ? repetitions * frame_count(name_, bytes_) : 0) {
     if (timed()) run_.check_outputs();
 }
 

@@ -8,7 +8,6 @@
 #include "console/command_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/ranges.h>
 
@@ -24,20 +23,6 @@ constexpr float max_number = 1e6f;
 /// Views nearer to each other in time than this would make the slope between them overflow.
 constexpr double min_step_s = 1e-3;
 
-/// The words of a line up to its comment.
-std::vector<std::string_view> words_of(std::string_view line) {
-    constexpr std::string_view spaces = " \t\r";
-    line = line.substr(0, line.find('#'));
-    std::vector<std::string_view> words;
-    for (size_t begin = line.find_first_not_of(spaces); begin != std::string_view::npos;
-         begin = line.find_first_not_of(spaces, begin)) {
-        const size_t end = std::min(line.find_first_of(spaces, begin), line.size());
-        words.push_back(line.substr(begin, end - begin));
-        begin = end;
-    }
-    return words;
-}
-
 /// Adds whole turns so that it lies within 180 degrees of `previous`.
 float unwrap(float degrees, float previous) {
     return degrees - 360.0f * std::round((degrees - previous) / 360.0f);
@@ -47,26 +32,17 @@ float unwrap(float degrees, float previous) {
 
 Route Route::parse(std::string_view name, std::string_view text) {
     std::vector<Key> keys;
-    int line_number = 0;
-    while (!text.empty()) {
-        const size_t end = std::min(text.find('\n'), text.size());
-        const std::vector<std::string_view> words = words_of(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        ++line_number;
-        if (words.empty()) continue;
-        std::array<float, columns> v{};
-        bool good = words.size() == columns;
-        for (size_t i = 0; good && i < columns; ++i)
-            good = parse_number(words[i], v[i]) && std::abs(v[i]) <= max_number;
-        if (!good)
-            fail("{}, line {}: expected `time x y z pitch yaw roll`, numbers up to {:g}", name,
-                 line_number, max_number);
-        if (!keys.empty() && static_cast<double>(v[0]) < keys.back().time_s + min_step_s) {
-            fail("{}, line {}: times must increase, by {} s at least", name, line_number,
-                 min_step_s);
-        }
-        keys.push_back({v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
-    }
+    const auto in_range = [](std::span<const float> v) {
+        return std::ranges::all_of(v, [](float x) { return std::abs(x) <= max_number; });
+    };
+    for_each_number_line(
+        name, text, columns,
+        fmt::format("`time x y z pitch yaw roll`, numbers up to {:g}", max_number), in_range,
+        [&](std::span<const float> v, int line) {
+            if (!keys.empty() && static_cast<double>(v[0]) < keys.back().time_s + min_step_s)
+                fail("{}, line {}: times must increase, by {} s at least", name, line, min_step_s);
+            keys.push_back({v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
+        });
     if (keys.empty()) fail("{}: the route has no views", name);
     return Route(std::move(keys));
 }

@@ -57,7 +57,7 @@ void TimedRun::tell_progress() {
     }
     // The first frame takes as long as nothing after it: textures and shaders are met for the first
     // time. The pace is that of the others.
-    progress_ = std::make_unique<Progress>(plan_.frames);
+    progress_ = std::make_unique<Progress>(expected_);
     progress_->skip(1);
     progress_->begin(plan_.name);
 }

@@ -26,12 +26,12 @@ struct RunPlan {
     int every = 1;              ///< one picture for so many frames
     std::string json;           ///< name of the report below outdir; empty: none
     glm::ivec2 size{0};         ///< of the picture, for the report
-    int frames = 0;             ///< of all repetitions, for the progress
 };
 
 class TimedRun {
 public:
-    explicit TimedRun(RunPlan plan) : plan_(std::move(plan)) {}
+    /// `frames` of all repetitions, for the progress.
+    TimedRun(RunPlan plan, int frames) : plan_(std::move(plan)), expected_(frames) {}
 
     const RunPlan& plan() const { return plan_; }
     /// Frames of the present repetition; 0 between two.
@@ -78,6 +78,7 @@ private:
                           const CvarRegistry& variables) const;
 
     RunPlan plan_;
+    int expected_ = 0;
     int pictures_ = 0;
     double seconds_ = 0.0; // of the present repetition
     size_t begin_ = 0;     // its first frame

@@ -95,6 +95,18 @@ PassSummary PassStatistics::summarize(const PassSum& wanted) const {
     return summary;
 }
 
+std::vector<refresh::PassTime> PassStatistics::recent_means(size_t most_frames) const {
+    std::vector<refresh::PassTime> means;
+    for (size_t pass = 0; pass < names_.size(); ++pass)
+        means.push_back({names_[pass], 0.0, groups_[pass]});
+    const size_t count = std::min(most_frames, frames_.size());
+    for (size_t frame = frames_.size() - count; frame < frames_.size(); ++frame)
+        for (const Time& time : frames_[frame])
+            means[time.pass].milliseconds += time.milliseconds / static_cast<double>(count);
+    std::erase_if(means, [](const refresh::PassTime& mean) { return mean.milliseconds == 0.0; });
+    return means;
+}
+
 std::string PassStatistics::table(std::span<const PassSum> wanted) const {
     if (frames_.empty()) return "no frames have been timed";
     std::string text = fmt::format("GPU milliseconds over {} frames\n", frames_.size());

@@ -45,6 +45,9 @@ public:
     std::vector<PassSummary> summarize() const;
     /// The sum of a group's passes in each frame; a frame without any of them does not count.
     PassSummary summarize(const PassSum& sum) const;
+    /// Mean of each pass over the last frames, at most so many; a frame without a pass counts as 0
+    /// there. Passes that none of them ran are left out.
+    std::vector<refresh::PassTime> recent_means(size_t most_frames) const;
     /// Lines of text: passes, sums of groups (those that ran), the sum per frame.
     std::string table(std::span<const PassSum> sums = {}) const;
 

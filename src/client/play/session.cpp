@@ -163,7 +163,6 @@ std::vector<refresh::FrameTimes> Session::take_frame_times(bool wait) {
     std::vector<refresh::FrameTimes> times = renderer_.take_frame_times(wait);
     for (const refresh::FrameTimes& frame : times) {
         statistics_.add_frame(frame.passes);
-        recent_times_.add_frame(frame);
         if (frame.counts.empty()) counts_.clear(); // guiding went off: what was is of no use
         counts_.add_frame(frame.counts);
     }

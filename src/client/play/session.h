@@ -5,7 +5,6 @@
 
 #include "client/measure/count_statistics.h"
 #include "client/measure/pass_statistics.h"
-#include "client/measure/recent_times.h"
 #include "client/play/camera.h"
 #include "client/play/level_entities.h"
 #include "client/play/light_styles.h"
@@ -86,8 +85,6 @@ public:
 
     PassStatistics& pass_statistics() { return statistics_; }
     /// Of recent frames.
-    const RecentTimes& recent_times() const { return recent_times_; }
-    /// Of recent frames.
     const CountStatistics& count_statistics() const { return counts_; }
 
 private:
@@ -125,7 +122,6 @@ private:
     uint64_t scene_changes_ = 0;
     std::optional<Shown> shown_;
     PassStatistics statistics_;
-    RecentTimes recent_times_;
     CountStatistics counts_{recent_frames};
     uint64_t last_frame_ = 0;
 };

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -24,24 +23,7 @@ constexpr std::string_view extension = ".walk";
 constexpr size_t columns = 8;
 constexpr float most = 10'000.0f;
 
-/// The numbers of a line up to its comment; false where there are not as many, or no numbers.
-bool read_numbers(std::string_view line, std::array<float, columns>& numbers, bool& empty) {
-    constexpr std::string_view spaces = " \t\r";
-    line = line.substr(0, line.find('#'));
-    size_t count = 0;
-    for (size_t begin = line.find_first_not_of(spaces); begin != std::string_view::npos;
-         begin = line.find_first_not_of(spaces, begin)) {
-        const size_t end = std::min(line.find_first_of(spaces, begin), line.size());
-        if (count == columns || !parse_number(line.substr(begin, end - begin), numbers[count]))
-            return false;
-        ++count;
-        begin = end;
-    }
-    empty = count == 0;
-    return empty || count == columns;
-}
-
-bool in_range(const std::array<float, columns>& v) {
+bool in_range(std::span<const float> v) {
     const bool whole = v[0] >= 1.0f && v[0] <= 1e6f && v[0] == std::floor(v[0]);
     const bool switched = v[7] == 0.0f || v[7] == 1.0f;
     return whole && switched && std::all_of(v.begin() + 1, v.end(), [](float number) {
@@ -53,25 +35,17 @@ bool in_range(const std::array<float, columns>& v) {
 
 Walk Walk::parse(std::string_view name, std::string_view text) {
     Walk walk;
-    int line_number = 0;
-    while (!text.empty()) {
-        const size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        ++line_number;
-        std::array<float, columns> v{};
-        bool empty = false;
-        const bool good = read_numbers(line, v, empty);
-        if (good && empty) continue;
-        if (!good || !in_range(v))
-            fail("{}, line {}: expected `ticks forward side up pitch yaw roll attack`, whole ticks "
-                 "from 1 to a million, numbers up to {:g}, attack 0 or 1",
-                 name, line_number, most);
-        const auto ticks = static_cast<int64_t>(v[0]);
-        if (walk.ticks_ + ticks > most_ticks)
-            fail("{}, line {}: the walk is longer than {} ticks", name, line_number, most_ticks);
-        walk.add({{v[4], v[5], v[6]}, v[1], v[2], v[3], v[7] != 0.0f}, ticks);
-    }
+    for_each_number_line(
+        name, text, columns,
+        fmt::format("`ticks forward side up pitch yaw roll attack`, whole ticks from 1 to a "
+                    "million, numbers up to {:g}, attack 0 or 1",
+                    most),
+        in_range, [&](std::span<const float> v, int line) {
+            const auto ticks = static_cast<int64_t>(v[0]);
+            if (walk.ticks_ + ticks > most_ticks)
+                fail("{}, line {}: the walk is longer than {} ticks", name, line, most_ticks);
+            walk.add({{v[4], v[5], v[6]}, v[1], v[2], v[3], v[7] != 0.0f}, ticks);
+        });
     if (walk.runs_.empty()) fail("{}: the walk has no ticks", name);
     return walk;
 }

@@ -28,16 +28,21 @@ std::string technique_text(const CvarRegistry& variables) {
 
 void ScreenStats::add_passes(const std::vector<refresh::PassTime>& passes, bool each) {
     for (const Group& group : groups) {
-        lines_.push_back(fmt::format("{:<16} {:6.1f} ms", group.name, sum_of(passes, group.group)));
-        if (!each) continue;
-        for (const refresh::PassTime& pass : passes)
-            if (pass.group == group.group)
+        const size_t place = lines_.size();
+        double sum = 0.0;
+        for (const refresh::PassTime& pass : passes) {
+            if (pass.group != group.group) continue;
+            sum += pass.milliseconds;
+            if (each)
                 lines_.push_back(fmt::format("  {:<14} {:6.1f} ms", pass.name, pass.milliseconds));
+        }
+        lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(place),
+                      fmt::format("{:<16} {:6.1f} ms", group.name, sum));
     }
 }
 
-void ScreenStats::add_frame(double seconds, const RecentTimes& gpu, const CvarRegistry& variables,
-                            glm::ivec2 picture_size) {
+void ScreenStats::add_frame(double seconds, const PassStatistics& gpu,
+                            const CvarRegistry& variables, glm::ivec2 picture_size) {
     ++frames_;
     seconds_ += seconds;
     if (seconds_ < interval_s && !lines_.empty()) return;
@@ -45,7 +50,8 @@ void ScreenStats::add_frame(double seconds, const RecentTimes& gpu, const CvarRe
     if (seconds_ > 0.0)
         lines_.push_back(
             fmt::format("{:.1f} ms  {:.1f} fps", 1e3 * seconds_ / frames_, frames_ / seconds_));
-    if (!gpu.empty()) add_passes(gpu.means(), variables->scr_stats == stats_passes);
+    if (gpu.frame_count() > 0)
+        add_passes(gpu.recent_means(most_frames), variables->scr_stats == stats_passes);
     lines_.push_back(technique_text(variables));
     lines_.push_back(fmt::format("{} x {}, {} path{} per pixel", picture_size.x, picture_size.y,
                                  variables->pt_spp, variables->pt_spp == 1 ? "" : "s"));

@@ -3,7 +3,7 @@
 // picture, and its size. They change twice a second, so that they can be read.
 #pragma once
 
-#include "client/measure/recent_times.h"
+#include "client/measure/pass_statistics.h"
 #include "console/cvar.h"
 
 #include <glm/glm.hpp>
@@ -15,12 +15,13 @@ namespace vigil::client {
 class ScreenStats {
 public:
     /// One more frame, of this many seconds.
-    void add_frame(double seconds, const RecentTimes& gpu, const CvarRegistry& variables,
+    void add_frame(double seconds, const PassStatistics& gpu, const CvarRegistry& variables,
                    glm::ivec2 picture_size);
     const std::vector<std::string>& lines() const { return lines_; }
 
 private:
     static constexpr double interval_s = 0.5;
+    static constexpr size_t most_frames = 30; // that GPU times are means over
 
     void add_passes(const std::vector<refresh::PassTime>& passes, bool each);
 
