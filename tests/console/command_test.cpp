@@ -248,6 +248,24 @@ TEST_F(CommandTest, ListsAndHelp) {
     EXPECT_EQ(commands.failures(), 3);
 }
 
+TEST_F(CommandTest, TakesAsManyWordsAsItsHelpSays) {
+    const auto counts = [&](std::string_view arguments) {
+        std::string taken;
+        commands.add("take", fmt::format("{}: takes words", arguments),
+                     [&](CommandArguments words) { taken += std::to_string(words.size()); });
+        commands.execute_text("take; take 1; take 1 2; take 1 2 3; take 1 2 3 4");
+        commands.remove("take");
+        return taken;
+    };
+    EXPECT_EQ(counts(""), "0");
+    EXPECT_EQ(counts("A B"), "2");
+    EXPECT_EQ(counts("A [B]"), "12");
+    EXPECT_EQ(counts("[A [B...]]"), "01234");
+    EXPECT_EQ(counts("A [B] [C D]"), "124");
+    EXPECT_EQ(counts("A B..."), "234");
+    EXPECT_TRUE(log.contains("take: usage: take A [B]: takes words"));
+}
+
 TEST_F(CommandTest, ArchivedTextRunsAsAScript) {
     variables.set("fov", "101.5");
     variables.set("vid_width", "320");
