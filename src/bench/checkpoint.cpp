@@ -54,7 +54,7 @@ const ordered_json* Checkpoint::find(const std::string& part) const {
     return nullptr;
 }
 
-void Checkpoint::add(const std::string& part, ordered_json content) {
+void Checkpoint::add(const std::string& part, const ordered_json& content) {
     ordered_json entry = {{"part", part}};
     entry.update(content);
     report_["parts"].push_back(std::move(entry));

@@ -24,7 +24,7 @@ public:
     /// The part with this `part` member, or null.
     const nlohmann::ordered_json* find(const std::string& part) const;
     /// Adds a part and writes the report. Throws Error when it cannot be written.
-    void add(const std::string& part, nlohmann::ordered_json content);
+    void add(const std::string& part, const nlohmann::ordered_json& content);
     /// Marks the report as finished and writes it. Throws Error.
     void finish();
 

@@ -12,7 +12,7 @@ namespace vigil {
 namespace {
 
 /// Deflate packs 1032 bytes into one at best, and a pixel takes a bit at least.
-constexpr uint64_t max_png_pixels_per_byte = 1032 * 8;
+constexpr uint64_t max_png_pixels_per_byte = uint64_t{1032} * 8;
 
 /// libpng's state of one picture; freed with it.
 struct PngReader {

@@ -17,7 +17,7 @@ Wal decode_wal(std::string_view name, std::span<const uint8_t> bytes, const Pale
     wal.name = reader.text(32);
     const uint32_t width = reader.u32(), height = reader.u32();
     const uint32_t offset = reader.u32();
-    reader.skip(3 * 4); // the smaller mip levels
+    reader.skip(3 * sizeof(uint32_t)); // the smaller mip levels
     wal.next_name = reader.text(32);
     reader.get(wal.flags, wal.contents, wal.value);
     check_image_size(name, width, height);

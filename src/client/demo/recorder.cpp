@@ -39,7 +39,7 @@ uint32_t effect_of(const glm::vec3& radiance) {
 
 /// A pattern as it is sent: letters. A style that is a number becomes the nearest letter.
 std::string style_letters(const LightStyles& styles, int style) {
-    const std::string text = styles.text(style);
+    std::string text = styles.text(style);
     const bool letters = std::ranges::all_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
     if (letters) return text;
     const float value = std::strtof(text.c_str(), nullptr);
