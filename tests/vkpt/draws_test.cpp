@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pictures and fills over the picture (refresh::Draw): which pixels, which texels, in which order,
 // and over what.
+#include "common/error.h"
 #include "formats/picture_bytes.h"
 #include "render_test.h"
 
