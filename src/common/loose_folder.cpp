@@ -24,7 +24,7 @@ public:
     explicit LooseFolder(const fs::path& folder)
         : ListedSource(folder.string(), false), folder_(folder) {
         std::vector<fs::path> above;
-        list(folder_, "", above);
+        walk(folder_, "", above);
         if (entries_ > max_entries)
             log_warning("{}: more than {} files; the others are left out", name(), max_entries);
         report_skipped();
@@ -39,7 +39,7 @@ private:
     }
 
     // `above`: the folders from the root to here, to notice links that lead back up.
-    void list(const fs::path& folder, const std::string& prefix, std::vector<fs::path>& above) {
+    void walk(const fs::path& folder, const std::string& prefix, std::vector<fs::path>& above) {
         std::error_code fault;
         const auto is_here = [&](const fs::path& other) {
             return fs::equivalent(other, folder, fault);
@@ -62,7 +62,7 @@ private:
             const fs::file_status kind = fs::status(entry, ignored);
             const std::string path = prefix + entry.filename().string();
             if (fs::is_directory(kind)) {
-                list(entry, path + '/', above);
+                walk(entry, path + '/', above);
             } else if (fs::is_regular_file(kind) && path.find('\\') == std::string::npos) {
                 const std::uintmax_t bytes = fs::file_size(entry, ignored);
                 if (!ignored) add(path, bytes);
