@@ -6,6 +6,8 @@
 #include "common/log.h"
 #include "console/arguments.h"
 
+#include <memory>
+
 namespace vigil::client {
 
 namespace {
@@ -34,9 +36,8 @@ void add_compare_commands(Client& client) {
         {{"compare",
           "[NAME]: splits the picture: technique NAME (or NAME+cdq) on the right; alone, on and "
           "off",
-          [last = std::string(compared_first)](Client& c, CommandArguments arguments) mutable {
-              compare(c, arguments, last);
-          },
+          [last = std::make_shared<std::string>(compared_first)](
+              Client& c, CommandArguments arguments) { compare(c, arguments, *last); },
           compared},
          {"comparemove", "PART: moves the line of `compare` by this part of the width",
           [](Client& c, CommandArguments arguments) {
