@@ -93,8 +93,8 @@ void expect_true(const Bsp& bsp, const Trace& trace, const glm::vec3& start, con
     // way along a brush's edge comes to it before that, and has left it there.
     float deepest = -1.0f;
     for (int i = 1; i <= 64; ++i)
-        deepest = std::max(deepest,
-                           depth_at(trace.fraction + further * static_cast<float>(i) / 64.0f));
+        deepest =
+            std::max(deepest, depth_at(trace.fraction + further * static_cast<float>(i) / 64.0f));
     EXPECT_GT(deepest, -rounding) << "fraction " << trace.fraction;
     EXPECT_TRUE(trace.hit());
 }
