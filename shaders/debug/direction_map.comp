@@ -18,13 +18,17 @@ vec3 arriving_radiance(Surface surface, vec3 direction, inout Random random) {
     vec3 throughput = vec3(1.0);
     Ray ray = Ray(surface.origin, 0.0, direction, 1e30);
     const int bounces = frame.settings.pt_bounces;
+    Guided guided; // nobody learns from these rays
+    guided.brdf_pdf = 0.0;
     for (int depth = 0; depth <= bounces; ++depth) {
-        const RayEnd end = follow_ray(ray, depth < bounces, random);
-        gathered += throughput * end.brought;
+        if (depth == bounces && !rays_find_light()) break;
+        const bool lit = depth < bounces;
+        const RayEnd end = follow_ray(surface, ray, guided.brdf_pdf, lit, lit && (depth + 1 < bounces || rays_find_light()), random);
+        gathered += throughput * end.taught;
         vec3 weight;
-        Guided guided; // nobody learns from these rays
         if (!end.goes_on || !scatter(end.surface, random, weight, ray, guided)) break;
         throughput *= weight;
+        surface = end.surface;
     }
     return gathered;
 }

@@ -39,7 +39,7 @@ void main() {
                 const vec3 u = random_next3(random);
                 const uint seed = random_next_words(random).x;
                 uint outcome;
-                const vec3 radiance = sampled_radiance(surface, choice, u, seed, outcome);
+                const vec3 radiance = sampled_radiance(surface, choice, u, seed, false, outcome);
                 if ((i & 1u) == 0u) {
                     value.even_mean += radiance / float(samples);
                     squares.x += mean_square(radiance) / float(samples);

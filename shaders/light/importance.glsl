@@ -16,14 +16,17 @@ LtcSurface prepare_importance(Surface surface) {
 /// Of choosing only: sums of importances, and their quotients with probabilities, stay finite below this.
 const float LIGHT_IMPORTANCE_MOST = 1e18;
 
+/// The light as the triangle that it is seen as from a position.
+Light load_light(uint light, vec3 position) { return HAS_ENVIRONMENT && HAS_SUN ? light_from(lights[light], position) : lights[light]; }
+
 float light_importance(LtcSurface surface, uint light) {
-    return min(finite_or_zero(ltc_importance(surface, lights[light], HAS_GLOSS)), LIGHT_IMPORTANCE_MOST);
+    return min(finite_or_zero(ltc_importance(surface, load_light(light, surface.position), HAS_GLOSS)), LIGHT_IMPORTANCE_MOST);
 }
 
 /// Solid angle times luminance of a light that can shine on a surface at this place, 0 for others: knows neither what the surface
 /// reflects nor, but for all or nothing, how slanted light falls on it.
 float solid_angle_importance(vec3 position, vec3 normal, uint light) {
-    const Light seen = lights[light];
+    const Light seen = load_light(light, position);
     const float brightness = luminance(seen.radiance);
     if (!(brightness > 0.0)) return 0.0;
     // A corner above the surface's horizon.

@@ -86,11 +86,24 @@ void reuse(inout ReusedNumber number, float share, float rest, inout Random rand
     number = ReusedNumber(number.spare.x, 1.0, number.spare.yy, number.spares - 1u);
 }
 
+/// The sun is in no box: it gets this part of the draws where it can shine.
+float sun_share(Surface surface) {
+    if (!(HAS_ENVIRONMENT && HAS_SUN) || frame.sun_light == NONE) return 0.0;
+    if (!(light_importance(prepare_importance(surface), frame.sun_light) > 0.0)) return 0.0;
+    return hierarchy.light_count == 0u ? 1.0 : 0.5;
+}
+
 LightChoice choose_light(Surface surface, inout Random random) {
     const LightHierarchyHeader header = hierarchy;
-    if (header.light_count == 0u) return no_light();
     ReusedNumber random_number = begin_reuse(random);
     float probability = 1.0;
+    const float of_sun = sun_share(surface);
+    if (of_sun > 0.0) {
+        if (random_number.u < of_sun) return light_choice(frame.sun_light, of_sun);
+        probability = 1.0 - of_sun;
+        reuse(random_number, probability, (random_number.u - of_sun) / probability, random);
+    }
+    if (header.light_count == 0u) return no_light();
     uint number = 0u;
     uint child;
     while (true) {
@@ -114,13 +127,15 @@ LightChoice choose_light(Surface surface, inout Random random) {
 /// From the light's leaf to the root: the shares of all draws on the way.
 float light_probability(Surface surface, uint light) {
     const LightHierarchyHeader header = hierarchy;
+    const float of_sun = sun_share(surface);
+    if (HAS_ENVIRONMENT && light == frame.sun_light) return of_sun;
     const uint place = light_places[light];
     if (place == NONE) return 0.0;
     const uint slots = 4u * header.groups;
     uint edge = place / header.leaf_size; // node * slots + child
     const CandidateWalk walk = walk_candidates(leaf_candidates(surface, edge, header.leaf_size), light, 0.0);
     if (!(walk.weight > 0.0)) return 0.0;
-    float probability = walk.weight / walk.sum;
+    float probability = (1.0 - of_sun) * walk.weight / walk.sum;
     while (edge != NONE) {
         const LightNodeWeights weights = view_node(surface, edge / slots, header.groups).weights;
         const float weight = light_node_weight(weights, edge % slots);

@@ -1,8 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `indirect`: a ray from the primary hit, drawn by the BRDF or by what was learned about directions, next event estimation where it lands, and from there a last ray that
-// collects only what next event estimation does not cover: the sky. Compiled once per technique; a
-// technique whose lights are found by rays also collects their emission.
+// Pass `indirect`: a ray from the primary hit, drawn by the BRDF or by what was learned about directions, next event estimation where it lands, and
+// from there a last ray for what next event estimation does not cover: the sky, unless that is sampled as a light, and the emission of lights that
+// a technique leaves to rays. Without either there is no last ray. Compiled once per technique.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "pathtrace/path.glsl"
@@ -23,22 +23,24 @@ vec3 trace_path(Surface surface, inout Random random) {
     bool sent = false;
     const int bounces = frame.settings.pt_bounces;
     for (int depth = 0; depth <= bounces; ++depth) {
+        if (depth == bounces && !rays_find_light()) break;
         // Send a ray, see what is there, and light it.
         Ray ray;
         vec3 weight;
         Guided guided;
         if (!scatter(surface, random, weight, ray, guided)) break;
         throughput *= weight;
-        const RayEnd end = follow_ray(ray, depth < bounces, random);
+        const bool lit = depth < bounces;
+        const RayEnd end = follow_ray(surface, ray, guided.brdf_pdf, lit, lit && (depth + 1 < bounces || rays_find_light()), random);
         gathered += throughput * end.brought;
         // Learn from it.
         if (depth == 0) {
             first = guided;
-            first_brought = end.brought;
+            first_brought = end.taught;
             sent = true;
         } else {
-            first_brought += weight * end.brought;
-            learn_direction(guided, end.brought);
+            first_brought += weight * end.taught;
+            learn_direction(guided, end.taught);
         }
         if (!end.goes_on) break;
         surface = end.surface;

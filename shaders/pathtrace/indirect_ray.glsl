@@ -13,18 +13,39 @@
 // Later hits see textures through a wide cone: their detail is averaged by the integral anyway.
 const float INDIRECT_SPREAD = 0.1;
 
-/// Radiance that a ray collects from what it runs into, without what next event estimation covers.
-vec3 collect(Vertex vertex, vec3 direction) {
-    if (vertex.sky) return sky_radiance(direction);
-    return LIGHTS_FOUND_BY_RAYS != 0 ? vertex.emission : vec3(0.0);
-}
+/// Next event estimation draws sky and sun, too.
+bool samples_environment() { return HAS_ENVIRONMENT && LIGHTS_FOUND_BY_RAYS == 0; }
+/// Whether there is anything for a ray to bring from where nothing is lit.
+bool rays_find_light() { return LIGHTS_FOUND_BY_RAYS != 0 || (HAS_SKY && !HAS_ENVIRONMENT); }
 
 /// A ray's part in what its surface's leaf learns about directions.
 struct Guided {
-    uint leaf;  // that stores it
-    uvec2 grid; // cell of its direction
-    float pdf;  // per steradian
+    uint leaf;      // that stores it
+    uvec2 grid;     // cell of its direction
+    float pdf;      // per steradian
+    float brdf_pdf; // the same if the BRDF had drawn it
 };
+
+/// Radiance that a ray from `surface` collects from what it runs into, without what next event estimation covers.
+vec3 collect(Surface surface, Ray ray, Hit hit, Vertex vertex, float brdf_pdf) {
+    if (!vertex.sky) return LIGHTS_FOUND_BY_RAYS != 0 ? vertex.emission : vec3(0.0);
+    if (!samples_environment()) return sky_radiance(ray.direction);
+    vec3 sum = vec3(0.0);
+    uint light = sky_light(hit, ray.origin, ray.direction);
+    vec3 radiance = sky_box_radiance(ray.direction);
+    // Of the sky, and then of the sun: one loop for both, as what a technique inlines is long.
+    for (uint parts = meets_sun(ray.direction) ? 2u : 1u; parts > 0u; --parts) {
+        float part = 1.0;
+        if (light != NONE) {
+            const float inverse_density = environment_inverse_density(lights[light], ray.origin, ray.direction);
+            part -= sampled_share(light_probability(surface, light), inverse_density, brdf_pdf);
+        }
+        sum += part * radiance;
+        light = frame.sun_light;
+        radiance = frame.sun_radiance;
+    }
+    return sum;
+}
 
 /// Draws a direction by the BRDF, or, in a part of the draws, by the guider of the surface's leaf (paper, section 5.2). Its
 /// density is that of the mixture.
@@ -33,6 +54,7 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
 #if GUIDES == 0
     const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, u);
     seen = drawn.seen;
+    guided.brdf_pdf = seen.pdf;
     return drawn.direction;
 #else
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
@@ -42,6 +64,7 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
     if (random_next(random) < brdf_part) direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
     else direction = guide_sample(guide, u);
     seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
+    guided.brdf_pdf = seen.pdf;
     seen.pdf = guide_mixture_pdf(guide_pdf(guide, direction), seen.pdf, brdf_part);
     guided.leaf = found.samples;
     guided.grid = ray_sample_cell(direction);
@@ -64,23 +87,30 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
 /// Where a ray ended.
 struct RayEnd {
     vec3 brought; // radiance along the ray, towards its origin: without what further rays find
+    vec3 taught;  // the part of it that no light sample draws
     bool goes_on; // a further ray may be sent from `surface`, which is not set otherwise
     Surface surface;
 };
 
-/// Sees what is there, and, if `light` is true, samples the lights there.
-RayEnd follow_ray(Ray ray, bool light, inout Random random) {
+/// Sees what is there, and, if `light` is true, samples the lights there; `ray_follows` is whether another ray is sent from there. `surface` is
+/// where the ray starts, and `brdf_pdf` the density of its direction by the BRDF.
+RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, bool ray_follows, inout Random random) {
     RayEnd end;
     end.brought = vec3(0.0);
+    end.taught = vec3(0.0);
     end.goes_on = false;
     Hit hit;
     if (!trace_closest(ray, random_next_words(random).x, hit)) return end;
     const Vertex vertex = describe_hit(ray, hit, INDIRECT_SPREAD, false);
-    end.brought = finite_or_zero(collect(vertex, ray.direction));
+    end.brought = finite_or_zero(collect(surface, ray, hit, vertex, brdf_pdf));
+    if (!samples_environment()) end.taught = end.brought;
     if (!vertex.lit || !light) return end;
     end.goes_on = true;
     end.surface = vertex.surface;
-    if (LIGHTS_FOUND_BY_RAYS == 0 && HAS_LIGHTS) end.brought += next_event_estimate(end.surface, random).radiance;
+    if (LIGHTS_FOUND_BY_RAYS == 0 && HAS_LIGHTS) {
+        end.brought += next_event_estimate(end.surface, ray_follows, random).radiance;
+        end.taught = end.brought;
+    }
     return end;
 }
 

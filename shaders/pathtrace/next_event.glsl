@@ -6,6 +6,7 @@
 #include "light/importance.glsl"
 #include "shared/reservoir.h"
 #include "light/technique.glsl"
+#include "pathtrace/environment.glsl"
 #include "shared/light_point.h"
 
 /// What one light sample adds to a surface.
@@ -17,7 +18,8 @@ struct DirectLight {
 /// A point on a light, and what it contributes unless something is in between.
 struct PointChoice {
     vec3 point;
-    vec3 value; // BRDF * cosine / density: a mean over the points weighed
+    vec3 direction; // to it
+    vec3 value;     // BRDF * cosine / density, times radiance if it is sky or sun: a mean over the points weighed
 };
 
 /// Weighs pt_light_points points of a light, spread evenly, and keeps one in proportion to its contribution; `value` is then their
@@ -27,48 +29,71 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
     const int density = frame.settings.pt_light_density;
     const SphericalTriangle near = near_light(light, surface.origin, density);
     float share = 0.0;
-    if (HAS_GLOSS && surface.brdf.f0 > 0.0 && density == LIGHT_DENSITY_AUTO)
+    if (HAS_GLOSS && surface.brdf.f0 > 0.0 && density == LIGHT_DENSITY_AUTO && !is_environment(light))
         share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light);
-    PointChoice choice = PointChoice(vec3(0.0), vec3(0.0));
+    PointChoice choice = PointChoice(vec3(0.0), vec3(0.0), vec3(0.0));
     const int points = frame.settings.pt_light_points;
     Reservoir reservoir = new_reservoir(v);
     for (int i = 0; i < points; ++i) {
         // Steps of the R2 sequence (Roberts 2018).
         const vec2 place = fract(u + float(i) * vec2(0.7548776662, 0.5698402910));
-        const LightSample seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view, surface.brdf, share, place);
+        LightSample seen;
+        if (is_sun(light)) seen = sample_sun(place);
+        else seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view, surface.brdf, share, place);
         if (!(seen.geometry > 0.0)) continue;
-        const vec3 value = finite_or_zero(brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry);
+        vec3 value = brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry;
+        if (is_environment(light)) value *= is_sun(light) ? frame.sun_flux : sky_box_radiance(seen.direction);
+        value = finite_or_zero(value);
         reservoir_add(reservoir, uint(i), max(value.x, max(value.y, value.z)));
-        if (reservoir.chosen == uint(i)) choice = PointChoice(seen.point, value);
+        if (reservoir.chosen == uint(i)) choice = PointChoice(seen.point, seen.direction, value);
     }
     if (reservoir.chosen != NONE) choice.value *= reservoir.sum / (reservoir.chosen_importance * float(points));
     return choice;
 }
 
+/// Whether sky or sun, which the light number `id` is, can be seen in a direction.
+bool environment_seen(uint id, Light light, vec3 origin, vec3 direction, uint seed) {
+    Hit hit;
+    if (!trace_closest(Ray(origin, 0.0, direction, 1e30), seed, hit) || !is_sky(hit)) return false;
+    return is_sun(light) || sky_light(hit, origin, direction) == id;
+}
+
 /// Radiance of a chosen light towards the surface's viewer by way of a point of it that `u` draws, divided by all
-/// probabilities; 0 where something is in between. `outcome` is one of LIGHT_*.
-vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, out uint outcome) {
+/// probabilities; 0 where something is in between. `outcome` is one of LIGHT_*. With `ray_follows` the BRDF also draws a ray from the surface, which
+/// collects a part of what comes from sky and sun: the rest counts here.
+vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bool ray_follows, out uint outcome) {
     outcome = LIGHT_UNTRIED;
     if (choice.light == NONE) return vec3(0.0);
     const Light light = lights[choice.light];
     const PointChoice seen = choose_point(surface, light, u.xy, u.z);
-    const vec3 value = finite_or_zero(seen.value * light.radiance * choice.weight);
+    vec3 value;
+    if (is_environment(light)) value = finite_or_zero(seen.value * choice.weight);
+    else value = finite_or_zero(seen.value * light.radiance * choice.weight);
     if (!(max(value.x, max(value.y, value.z)) > 0.0)) return vec3(0.0);
 
-    // From just above the surface to just above the light.
-    const vec3 to_light = offset_ray_origin(seen.point, light_normal(light)) - surface.origin;
-    const float distance = length(to_light);
-    const Ray ray = Ray(surface.origin, 0.0, to_light / max(distance, 1e-20), distance);
-    outcome = trace_occluded(ray, seed) ? LIGHT_SHADOWED : LIGHT_SEEN;
+    if (is_environment(light)) {
+        outcome = environment_seen(choice.light, light, surface.origin, seen.direction, seed) ? LIGHT_SEEN : LIGHT_SHADOWED;
+        if (ray_follows) {
+            const float probability = PROBABILITY_IS_EXACT != 0 ? 1.0 / choice.weight : light_probability(surface, choice.light);
+            const float ray_pdf = brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).pdf;
+            value *= sampled_share(probability, environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);
+        }
+    } else {
+        // From just above the surface to just above the light.
+        const vec3 to_light = offset_ray_origin(seen.point, light_normal(light)) - surface.origin;
+        const float distance = length(to_light);
+        const Ray ray = Ray(surface.origin, 0.0, to_light / max(distance, 1e-20), distance);
+        outcome = trace_occluded(ray, seed) ? LIGHT_SHADOWED : LIGHT_SEEN;
+    }
     return outcome == LIGHT_SEEN ? value : vec3(0.0);
 }
 
-DirectLight next_event_estimate(Surface surface, inout Random random) {
+DirectLight next_event_estimate(Surface surface, bool ray_follows, inout Random random) {
     const LightChoice choice = choose_light(surface, random);
     const vec3 u = random_next3(random);
     const uint seed = random_next_words(random).x;
     uint outcome;
-    const vec3 value = sampled_radiance(surface, choice, u, seed, outcome);
+    const vec3 value = sampled_radiance(surface, choice, u, seed, ray_follows, outcome);
     // One path per pixel teaches: what is stored is bounded by the resolution.
     if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
     return DirectLight(value, choice.explored);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Radiance of the sky box and the sun's disc. No technique samples them as lights (as in the paper): rays find them by
-// BRDF or guided directions.
+// Radiance of the sky box and the sun's disc.
 #ifndef VIGIL_PATHTRACE_SKY_GLSL
 #define VIGIL_PATHTRACE_SKY_GLSL
 
@@ -39,9 +38,8 @@ vec3 sky_texel(Texture header, vec2 uv) {
                mix(fetch_texel(header, 0u, ivec2(low.x, high.y)), fetch_texel(header, 0u, high), weight.x), weight.y);
 }
 
-/// Radiance from a unit direction.
-vec3 sky_radiance(vec3 direction) {
-    if (!HAS_SKY) return vec3(0.0);
+/// Radiance of the sky box from a unit direction.
+vec3 sky_box_radiance(vec3 direction) {
     vec3 value = frame.sky_radiance;
     if (frame.sky_texture != NONE) {
         uint side;
@@ -49,8 +47,15 @@ vec3 sky_radiance(vec3 direction) {
         sky_coordinates(frame.sky_from_world * direction, side, uv);
         value *= sky_texel(textures[frame.sky_texture + side], uv);
     }
-    if (HAS_SUN && in_cone(direction, frame.sun_direction, frame.sun_size)) value += frame.sun_radiance;
     return value;
+}
+
+bool meets_sun(vec3 direction) { return HAS_SUN && in_cone(direction, frame.sun_direction, frame.sun_size); }
+
+/// Radiance of both.
+vec3 sky_radiance(vec3 direction) {
+    if (!HAS_SKY) return vec3(0.0);
+    return sky_box_radiance(direction) + (meets_sun(direction) ? frame.sun_radiance : vec3(0.0));
 }
 
 #endif

@@ -105,11 +105,11 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     vertex.emission = vec3(0.0);
     const Primitive primitive = primitives[hit.primitive];
     const Material material = materials[primitive.material];
+    if (!hit.front) return vertex; // the inside of a wall is black
     if (HAS_SKY && (material.flags & MATERIAL_SKY) != 0u) {
         vertex.sky = true;
         return vertex;
     }
-    if (!hit.front) return vertex; // the inside of a wall is black
     const BvhTriangle triangle = bvh_load_triangle(hit.primitive);
     const vec3 normal = triangle_normal(triangle, hit.instance);
     const vec3 texel = hit_texel(ray, hit, triangle, normal, primitive, material, spread);

@@ -45,6 +45,7 @@
 #define CONSTANT_LIGHTS 13
 #define CONSTANT_VIEW 14    // pt_view is on: post/tonemap.comp
 #define CONSTANT_ANY_HIT 15 // of a benchmark: trace/trace_rays.comp
+#define CONSTANT_ENVIRONMENT 16 // sky and sun are sampled as lights: scene/frame.glsl
 
 // Set 1 holds this many storage buffers; which of them a technique has is its business (shaders/light/NAME.glsl).
 #define BINDING_ALIAS_TABLE 0       // number of entries, AliasEntry[]: light/alias.glsl

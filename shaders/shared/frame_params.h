@@ -27,8 +27,10 @@ struct FrameParams {
     mat3 sky_from_world;   // turns the sky box, not the sun
     vec3 sky_radiance;     // factor on the sky's texels; the radiance itself if there is no texture
     vec3 sun_direction;    // unit, towards the sun
-    vec3 sun_radiance;     // of the disc; 0 without a sun
+    vec3 sun_radiance;     // of the disc; 0 without a sun, or if it is a point
     float sun_size;        // 1 - cos(half the angular diameter)
+    vec3 sun_flux;         // radiance times solid angle of the disc
+    uint sun_light;        // id of the sun, or NONE: it is no light
     GpuSettings settings;
 };
 

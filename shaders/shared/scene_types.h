@@ -54,7 +54,7 @@ struct Primitive {
     vec2 uv1;
     vec2 uv2;
     uint material;
-    uint light;   // index among its model's lights, or NONE
+    uint light;   // index among its model's lights, or NONE; of a sky face: of its window's first light
     uint cluster; // PVS cluster, or NONE when the triangle touches several (then locate the point)
 };
 
@@ -117,7 +117,18 @@ struct Light {
     vec3 e1; // v1 - v0
     vec3 e2; // v2 - v0; cross(e1, e2) points to the lit side
     vec3 radiance;
+    uint flags; // LIGHT_*; 0: a lamp
 };
+
+/// Half of a cell of a window to the sky (scene/sky_windows.h). `radiance` is a mean, by which it is chosen; what comes through a
+/// point of it is the sky's in that direction, where a sky face is.
+SHADER_CONST uint LIGHT_SKY = 1u;
+/// The sun: the triangle that is seen around its cone from everywhere; `v0` is as seen from there. `radiance` is its mean on that.
+SHADER_CONST uint LIGHT_SUN = 2u;
+/// In the window's first light: how many columns and rows of cells the window has, 1 to 4,095 each.
+SHADER_CONST uint LIGHT_COLUMNS_SHIFT = 8u;
+SHADER_CONST uint LIGHT_ROWS_SHIFT = 20u;
+SHADER_CONST uint LIGHT_CELLS_MASK = 0xfffu;
 
 SHADER_END
 #endif

@@ -114,7 +114,12 @@
     INTEGER(pt_cdq_migrations, Session, Reference, 4, 0, 16, "cdq: refinements of a quadtree per frame, at most") \
     GPU_REAL(pt_sky_scale, Session, Reference, 1.0, 0.0, 1e6, "factor on the radiance of the sky") \
     GPU_REAL(pt_sun_scale, Session, Reference, 1.0, 0.0, 1e6, "factor on the irradiance of the sun") \
-    GPU_REAL(pt_sun_size, Session, Reference, 1.0, 0.01, 90.0, "angular diameter of the sun in degrees") \
+    REAL(pt_sun_size, Session, Reference, -1.0, -1.0, 180.0, \
+        "angular diameter of the sun in degrees; 0: a point, which no ray meets; below 0: as the level says, or 1") \
+    INTEGER(pt_env_nee, Session, Reference, 1, 0, 1, \
+        "1: sky and sun are sampled as lights; 0: rays find them by chance, as in the paper") \
+    INTEGER(pt_sky_lights, Session, Reference, 64, 2, 4096, \
+        "most lights that a level's windows to the sky are cut into, if there are fewer windows than that") \
     GPU_REAL(pt_emissive_scale, Session, Reference, 1.0, 0.0, 1e6, \
         "factor on the radiance of emissive faces") \
     GPU_INTEGER(pt_emissive_texture, Session, Reference, 1, 0, 1, \

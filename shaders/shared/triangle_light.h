@@ -15,6 +15,13 @@
 
 SHADER_BEGIN
 
+/// The light as a triangle in the world when seen from `position`: the sun goes where its viewer
+/// goes.
+SHADER_FN Light light_from(Light light, vec3 position) {
+    if ((light.flags & LIGHT_SUN) != 0u) light.v0 += position;
+    return light;
+}
+
 /// A point on a light as seen from a shading point.
 struct LightSample {
     vec3 point;     // on the light

@@ -149,6 +149,12 @@ int Entity::get_int(std::string_view key, int fallback) const {
                   : fallback;
 }
 
+std::optional<glm::vec2> Entity::get_vec2(std::string_view key) const {
+    const auto numbers = parse_numbers<2>(find(key), largest_float);
+    if (!numbers) return std::nullopt;
+    return glm::vec2((*numbers)[0], (*numbers)[1]);
+}
+
 glm::vec3 Entity::get_vec3(std::string_view key, glm::vec3 fallback) const {
     const auto numbers = parse_numbers<3>(find(key), largest_float);
     return numbers ? glm::vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]) : fallback;

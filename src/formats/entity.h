@@ -3,8 +3,10 @@
 // strings; the getters convert on demand and never fail. It knows no entity classes.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +29,7 @@ struct Entity {
     std::string get_string(std::string_view key, std::string_view fallback = "") const;
     float get_float(std::string_view key, float fallback = 0.0f) const;
     int get_int(std::string_view key, int fallback = 0) const;
+    std::optional<glm::vec2> get_vec2(std::string_view key) const;
     glm::vec3 get_vec3(std::string_view key, glm::vec3 fallback = glm::vec3(0.0f)) const;
     /// The key "angles" (pitch, yaw, roll), or "angle" as a yaw.
     glm::vec3 get_angles() const;

@@ -69,7 +69,7 @@ void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
         const vec3 u = random_next3(random);
         const uint seed = random_next_words(random).x;
         uint outcome;
-        sum += sampled_radiance(surface, choice, u, seed, outcome);
+        sum += sampled_radiance(surface, choice, u, seed, false, outcome);
     }
     if (!counts) means[gl_GlobalInvocationID.z * frame.size.x * frame.size.y + index] = chooses ? sum / float(path_count) : sum;
 }

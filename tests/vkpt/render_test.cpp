@@ -157,7 +157,7 @@ shader::FrameParams RenderTest::params(const Shot& shot) {
     shader::FrameParams params{};
     params.settings = gpu_settings(cvars().values());
     vkpt::set_camera(params, shot.view, renderer().buffers().size());
-    vkpt::set_scene(params, *renderer().scene(), shot.time_s);
+    vkpt::set_scene(params, *renderer().scene(), cvars().values(), shot.time_s);
     return params;
 }
 

@@ -21,8 +21,8 @@ void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uve
     params.pixel_angle = 2.0f * tan_vertical / static_cast<float>(size.y);
 }
 
-void set_scene(shader::FrameParams& params, const Scene& scene, double time_s) {
-    const GpuSettings& settings = params.settings;
+void set_scene(shader::FrameParams& params, const Scene& scene, const refresh::Settings& settings,
+               double time_s) {
     const SkyDescription& sky = scene.sky();
     params.time_s = static_cast<float>(std::fmod(time_s, 4096.0)); // keeps its digits for days
     params.light_count = static_cast<uint32_t>(scene.lights().lights().size());
@@ -30,12 +30,12 @@ void set_scene(shader::FrameParams& params, const Scene& scene, double time_s) {
     const double turned = std::fmod(time_s * static_cast<double>(sky.degrees_per_second), 360.0);
     params.sky_from_world = rotation_about(sky.axis, -static_cast<float>(turned));
     params.sky_radiance = sky.radiance * settings.pt_sky_scale;
-    params.sun_direction = sky.sun_direction;
-    params.sun_size = shader::cone_size(0.5f * glm::radians(settings.pt_sun_size));
-    // A disc of radiance L and half angle a lights a surface that faces it with L * pi * sin(a)^2.
-    const float half_sine = std::sin(0.5f * glm::radians(settings.pt_sun_size));
-    params.sun_radiance =
-        sky.sun_irradiance * (settings.pt_sun_scale / (shader::PI * half_sine * half_sine));
+    const Sun sun = sky.sun(settings);
+    params.sun_direction = sun.direction;
+    params.sun_size = shader::cone_size(sun.half_angle);
+    params.sun_radiance = sun.radiance();
+    params.sun_flux = sun.flux();
+    params.sun_light = scene.lights().sun();
 }
 
 } // namespace vigil::vkpt

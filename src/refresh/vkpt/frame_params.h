@@ -14,6 +14,7 @@ class Scene;
 void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uvec2 size);
 
 /// Time, sky, sun and light count.
-void set_scene(shader::FrameParams& params, const Scene& scene, double time_s);
+void set_scene(shader::FrameParams& params, const Scene& scene, const refresh::Settings& settings,
+               double time_s);
 
 } // namespace vigil::vkpt

@@ -54,7 +54,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
                               const refresh::Settings& settings) {
     // Everything is made before anything is replaced: a level that fails leaves the one before.
     auto lister = std::make_unique<LightLister>(level->bsp, level->pvs);
-    auto scene = std::make_unique<Scene>(device_, files_, level, settings.pt_subdivide);
+    auto scene = std::make_unique<Scene>(device_, files_, level, settings);
     device_.wait_idle();
     left_.clear();
     right_.reset();
@@ -239,6 +239,15 @@ void VkptRenderer::follow_trace_setting() {
             device_.properties().deviceName);
 }
 
+void VkptRenderer::follow_environment_setting() {
+    if (!scene_->follow_environment(settings_)) return;
+    // Techniques know lights by their ids, and so do caches.
+    device_.wait_idle();
+    left_.clear();
+    if (right_) right_->clear();
+    reset_guiding();
+}
+
 void VkptRenderer::follow_guide_setting() {
     if (settings_.pt_guide == guide_setting_) return;
     guide_setting_ = settings_.pt_guide;
@@ -271,7 +280,7 @@ shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     shader::FrameParams params{};
     params.settings = gpu_settings(settings_);
     set_camera(params, frame.view, buffers_.size());
-    set_scene(params, *scene_, frame.time_s);
+    set_scene(params, *scene_, settings_, frame.time_s);
     return params;
 }
 
@@ -307,10 +316,11 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     frame_unfinished_ = true;
     if (scene_) {
         // Bring scene and technique to this frame.
+        follow_environment_setting();
         select_sides();
         follow_trace_setting();
         follow_guide_setting();
-        rebind_ |= scene_->prepare(frame, settings_.pt_emissive_scale);
+        rebind_ |= scene_->prepare(frame);
         rebind_ |= prepare_ray_query();
         prepare_sides(frame);
         prepare_pipelines();
@@ -540,8 +550,11 @@ void VkptRenderer::export_scene(const refresh::Frame& frame, const std::string& 
     if (!scene_) fail("no level is loaded");
     settings_ = frame.settings;
     resize(screen_size());
-    rebind_ |= scene_->prepare(frame, settings_.pt_emissive_scale);
-    const ExportSummary summary = write_gltf(export_scene_of(*scene_, frame_params(frame)), path);
+    follow_environment_setting();
+    select_sides();
+    rebind_ |= scene_->prepare(frame);
+    const ExportSummary summary =
+        write_gltf(export_scene_of(*scene_, frame_params(frame), settings_), path);
     log_info("wrote {}: {} triangles in {} files, {:.1f} MiB", path, summary.triangles,
              summary.files, static_cast<double>(summary.bytes) / 1048576.0);
 }

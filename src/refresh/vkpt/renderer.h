@@ -95,6 +95,7 @@ private:
     bool use_ray_query(const refresh::Settings& settings) const;
     void follow_trace_setting();
     void follow_guide_setting();
+    void follow_environment_setting();
     bool prepare_ray_query();
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);

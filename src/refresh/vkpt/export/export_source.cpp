@@ -135,9 +135,11 @@ private:
 
 } // namespace
 
-ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& params) {
+ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& params,
+                            const refresh::Settings& settings) {
     ExportScene out = SceneReader(scene).run();
     const SkyDescription& sky = scene.sky();
+    const Sun sun = sky.sun(settings);
     if (scene.features().sky) {
         out.sky.emplace();
         out.sky->radiance = params.sky_radiance;
@@ -150,8 +152,7 @@ ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& param
         }
     }
     if (scene.features().sun)
-        out.sun = ExportSun{sky.sun_direction, sky.sun_irradiance * params.settings.pt_sun_scale,
-                            params.settings.pt_sun_size};
+        out.sun = ExportSun{sun.direction, sun.irradiance, 2.0f * glm::degrees(sun.half_angle)};
     const float tan_right = glm::length(params.camera_right);
     const float tan_up = glm::length(params.camera_up);
     out.camera.origin = params.camera_origin;

@@ -11,6 +11,7 @@ class Scene;
 
 /// The scene as it was prepared last, seen through the camera, sky and sun of `params`. Emission is
 /// uniform over each triangle, as light sampling has it; animated textures show their first frame.
-ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& params);
+ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& params,
+                            const refresh::Settings& settings);
 
 } // namespace vigil::vkpt

@@ -11,13 +11,34 @@ namespace vigil::vkpt {
 
 namespace {
 
-std::vector<LightTriangle> triangles_of(const LightSet& lights, uint32_t first, uint32_t end,
-                                        bool dark) {
+LightTriangle triangle_of(const shader::Light& light, uint32_t id) {
+    return {light.v0, light.v0 + light.e1, light.v0 + light.e2, id};
+}
+
+std::vector<LightTriangle> moving_triangles(const LightSet& lights) {
     std::vector<LightTriangle> triangles;
-    for (uint32_t id = first; id < end; ++id) {
+    for (uint32_t id = lights.static_count(); id < lights.lights().size(); ++id) {
         const shader::Light& light = lights.lights()[id];
-        if (dark || light.radiance != glm::vec3(0.0f))
-            triangles.push_back({light.v0, light.v0 + light.e1, light.v0 + light.e2, id});
+        if (light.radiance != glm::vec3(0.0f)) triangles.push_back(triangle_of(light, id));
+    }
+    return triangles;
+}
+
+/// A static light that is dark now may be switched on later: it is listed all the same. The sun
+/// shines in where a window to the sky faces it.
+std::vector<LightTriangle> static_triangles(const LightSet& lights) {
+    std::vector<LightTriangle> triangles;
+    const uint32_t sun = lights.sun();
+    for (uint32_t id = 0; id < lights.static_count(); ++id) {
+        const shader::Light& light = lights.lights()[id];
+        if (id == sun) continue;
+        triangles.push_back(triangle_of(light, id));
+        if (lights.sun_enters(light)) triangles.push_back(triangle_of(light, sun));
+    }
+    // Windows that move may let it in anywhere: a triangle in no cluster, below all of them and facing up, is in every list.
+    if (sun != shader::NONE && lights.has_moving_sky()) {
+        constexpr float far = 1e6f;
+        triangles.push_back({{-far, -far, -far}, {far, -far, -far}, {0.0f, far, -far}, sun});
     }
     return triangles;
 }
@@ -46,19 +67,15 @@ LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char
 
 bool ClusterLists::prepare(const LightSet& lights) {
     bool renewed = false;
-    const uint32_t first_moving = lights.static_count();
-    if (!built_) {
-        // A static light that is dark now may be switched on later: it is listed all the same.
-        const LightLists lists =
-            build(triangles_of(lights, 0, first_moving, true), "static", static_warned_);
+    if (sun_revision_ != lights.sun_revision()) {
+        sun_revision_ = lights.sun_revision();
+        const LightLists lists = build(static_triangles(lights), "static", static_warned_);
         static_pairs_ = lists.pair_count;
         renewed |= static_.set(lists);
-        built_ = true;
     }
     if (revision_ != lights.moving_revision()) {
         revision_ = lights.moving_revision();
-        const auto count = static_cast<uint32_t>(lights.lights().size());
-        const std::vector<LightTriangle> moving = triangles_of(lights, first_moving, count, false);
+        const std::vector<LightTriangle> moving = moving_triangles(lights);
         const LightLists lists = build(moving, "moving", moving_warned_);
         moving_pairs_ = lists.pair_count;
         renewed |= moving_.set(lists);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The light lists of all PVS clusters on the GPU, as shaders/light/light_list.glsl reads them.
-// Lists of the static world's lights are made once; lists of lights that move are made anew
-// whenever one of them appears, vanishes or moves.
+// Lists of the static world's lights are made once, unless the sun moves; lists of lights that move
+// are made anew whenever one of them appears, vanishes or moves.
 #pragma once
 
 #include "refresh/vkpt/gpu/growing_buffer.h"
@@ -44,9 +44,8 @@ private:
     LightListLimits limits_;
     ListBuffers static_, moving_;
     gpu::GrowingBuffer counts_;
-    uint64_t revision_ = 0;
+    uint64_t revision_ = 0, sun_revision_ = 0;
     uint64_t static_pairs_ = 0, moving_pairs_ = 0;
-    bool built_ = false;
     bool static_warned_ = false, moving_warned_ = false; // that lists were refused
 };
 

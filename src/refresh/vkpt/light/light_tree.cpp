@@ -49,6 +49,7 @@ float cross_error(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& di
 /// The light as the tree sees it; nothing if it can never light anything.
 std::optional<TreeLight> make_tree_light(const shader::Light& light, std::uint32_t id) {
     if (!(shader::luminance(light.radiance) > 0.0f)) return std::nullopt;
+    if ((light.flags & shader::LIGHT_SUN) != 0) return std::nullopt; // it is nowhere
     const glm::dvec3 v0(light.v0), e1(light.e1), e2(light.e2);
     const glm::dvec3 across = glm::cross(e1, e2);
     const double length = glm::length(across);

@@ -23,6 +23,7 @@ std::vector<gpu::Specialization> specialization(const SceneFeatures& features,
             {CONSTANT_ANIMATION, features.animation},
             {CONSTANT_LIGHTS, features.lights},
             {CONSTANT_EFFECTS, features.effects},
+            {CONSTANT_ENVIRONMENT, features.environment},
             {CONSTANT_GUIDER_SIZE, guide.size}};
 }
 

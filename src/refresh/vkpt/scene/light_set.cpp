@@ -3,6 +3,7 @@
 
 #include "common/log.h"
 #include "shared/firewall.h"
+#include "shared/triangle_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,20 +66,24 @@ ModelGeometry spot_geometry(uint32_t lamp_material, uint32_t tube_material) {
     return geometry;
 }
 
-LightSet::LightSet(std::vector<LightSource> world_lights)
-    : world_(std::move(world_lights)), lights_(world_.size()),
-      static_count_(static_cast<uint32_t>(world_.size())) {}
+LightSet::LightSet(std::vector<LightSource> world_lights, bool has_sun)
+    : world_(std::move(world_lights)), lights_(world_.size() + (has_sun ? 1 : 0)),
+      has_sun_(has_sun), static_count_(static_cast<uint32_t>(lights_.size())) {}
 
-void LightSet::begin_frame(std::span<const float> light_styles, float emissive_scale) {
+void LightSet::begin_frame(std::span<const float> light_styles, float emissive_scale,
+                           const Environment& environment) {
     for (auto& [key, slot] : slots_)
         slot.placed = false;
     const bool same =
-        scale_ == emissive_scale &&
+        scale_ == emissive_scale && environment_.sky_revision == environment.sky_revision &&
+        environment_.sky_scale == environment.sky_scale &&
         std::equal(light_styles.begin(), light_styles.end(), styles_.begin(), styles_.end());
     styles_.assign(light_styles.begin(), light_styles.end());
     scale_ = emissive_scale;
+    environment_ = environment;
+    if (has_sun_) replace(sun(), environment_.sun);
     if (same) return;
-    for (uint32_t id = 0; id < static_count_; ++id)
+    for (uint32_t id = 0; id < world_.size(); ++id)
         write(id, world_[id], glm::mat4x3(1.0f), glm::vec3(1.0f));
 }
 
@@ -89,9 +94,19 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
     light.v0 = world_from_object * glm::vec4(source.v0, 1.0f);
     light.e1 = rotation * (source.v1 - source.v0);
     light.e2 = rotation * (source.v2 - source.v0);
+    light.flags = source.flags;
     const size_t style = static_cast<size_t>(source.style);
     const float dim = style < styles_.size() ? styles_[style] : 1.0f;
     light.radiance = source.radiance * tint * (source.coverage * dim * scale_);
+    if ((source.flags & shader::LIGHT_SKY) != 0)
+        light.radiance = source.radiance * tint * (source.coverage * environment_.sky_scale) *
+                         (environment_.sky != nullptr
+                              ? environment_.sky->through(-shader::light_normal(light))
+                              : glm::vec3(0.0f));
+    replace(id, light);
+}
+
+void LightSet::replace(uint32_t id, shader::Light light) {
     if (!is_usable(light)) {
         light = {};
         if (!std::exchange(told_, true))
@@ -102,11 +117,20 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
     shader::Light& old = lights_[id];
     if (std::memcmp(&old, &light, sizeof(light)) == 0) return;
     ++revision_;
+    if ((light.flags & shader::LIGHT_SUN) != 0) ++sun_revision_;
     if (id >= static_count_ &&
         (old.v0 != light.v0 || old.e1 != light.e1 || old.e2 != light.e2 ||
          (old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))))
         ++moving_revision_;
     old = light;
+}
+
+bool LightSet::sun_enters(const shader::Light& window) const {
+    if (!has_sun_ || (window.flags & shader::LIGHT_SKY) == 0) return false;
+    const shader::Light& light = lights_[sun()];
+    return light.radiance != glm::vec3(0.0f) &&
+           glm::dot(shader::light_normal(window), shader::light_normal(light)) >
+               -environment_.sun_sine - 1e-4f;
 }
 
 std::optional<uint32_t> LightSet::place(uint64_t key, std::span<const LightSource> sources,
@@ -137,6 +161,12 @@ std::optional<uint32_t> LightSet::place(uint64_t key, std::span<const LightSourc
         known = slots_.emplace(key, slot).first;
     }
     known->second.placed = true;
+    if (!has_moving_sky_ && std::ranges::any_of(sources, [](const LightSource& source) {
+            return (source.flags & shader::LIGHT_SKY) != 0;
+        })) {
+        has_moving_sky_ = true;
+        ++sun_revision_;
+    }
     for (uint32_t i = 0; i < count; ++i)
         write(known->second.first + i, sources[i], world_from_object, tint);
     return known->second.first;

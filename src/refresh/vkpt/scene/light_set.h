@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All lights of a frame under stable ids: those of the static world first, then those of entities
-// and dynamic lights in slots that stay theirs while they exist. A vanished light's slot is dark
-// until another takes it. A light whose place or radiance is not finite, or negative, stays dark.
+// All lights of a frame under stable ids: those of the static world first (lamps, windows to the
+// sky, the sun), then those of entities and dynamic lights in slots that stay theirs while they
+// exist. A vanished light's slot is dark until another takes it. A light whose place or radiance is
+// not finite, or negative, stays dark.
 #pragma once
 
 #include "refresh/refresh.h"
 #include "refresh/vkpt/scene/model_geometry.h"
+#include "refresh/vkpt/scene/sky_brightness.h"
 
 #include <cstdint>
 #include <map>
@@ -28,15 +30,25 @@ ModelGeometry dynamic_light_geometry(uint32_t material);
 /// The tube and the square of a Spot of radius 1, mouth at the origin, looking along +x.
 ModelGeometry spot_geometry(uint32_t lamp_material, uint32_t tube_material);
 
+/// Sky and sun as the lights of a frame.
+struct Environment {
+    const SkyBrightness* sky = nullptr; // null: windows are dark
+    uint64_t sky_revision = 0;          // another one for another `sky`
+    float sky_scale = 1.0f;
+    shader::Light sun{};   // sun_light()
+    float sun_sine = 0.0f; // of half the angle that it takes up
+};
+
 class LightSet {
 public:
     LightSet() = default;
-    /// Starts a level whose static world has these lights.
-    explicit LightSet(std::vector<LightSource> world_lights);
+    /// Starts a level whose static world has these lights, and the sun after them if `has_sun`.
+    explicit LightSet(std::vector<LightSource> world_lights, bool has_sun = false);
 
     /// What a frame asks of the set; call begin_frame, then place() for every model with lights,
     /// then end_frame.
-    void begin_frame(std::span<const float> light_styles, float emissive_scale);
+    void begin_frame(std::span<const float> light_styles, float emissive_scale,
+                     const Environment& environment = {});
     /// Places a model's lights; `key` names the entity or dynamic light while it exists. `tint`
     /// multiplies radiance. Returns the id of the model's light 0; nothing if there is no room.
     std::optional<uint32_t> place(uint64_t key, std::span<const LightSource> sources,
@@ -46,8 +58,16 @@ public:
 
     /// Lights by id; dark slots have zero radiance.
     std::span<const shader::Light> lights() const { return lights_; }
-    /// Ids below this belong to the static world: their geometry never changes.
+    /// Ids below this belong to the static world: their geometry never changes, but for the sun's.
     uint32_t static_count() const { return static_count_; }
+    /// Id of the sun, or shader::NONE.
+    uint32_t sun() const { return has_sun_ ? static_count_ - 1 : shader::NONE; }
+    /// Whether it may shine in through this light: a window to the sky that faces a part of it.
+    bool sun_enters(const shader::Light& window) const;
+    /// Where the sun shines in changes with this, which grows.
+    uint64_t sun_revision() const { return sun_revision_; }
+    /// Whether a model that may move has had a window to the sky.
+    bool has_moving_sky() const { return has_moving_sky_; }
     /// Grows whenever any light differs from the frame before.
     uint64_t revision() const { return revision_; }
     /// Grows whenever a light beyond static_count() appears, vanishes or moves.
@@ -61,6 +81,8 @@ private:
     };
     void write(uint32_t id, const LightSource& source, const glm::mat4x3& world_from_object,
                glm::vec3 tint);
+    /// Makes `light` that of an id, unless nothing of it can be used.
+    void replace(uint32_t id, shader::Light light);
     /// Darkens a slot that nothing owns any more and keeps it for the next light.
     void release(const Slot& slot);
 
@@ -71,6 +93,10 @@ private:
     bool told_ = false; // of a light that stays dark because it is not finite
     std::vector<float> styles_;
     float scale_ = 1.0f;
+    Environment environment_;
+    bool has_sun_ = false;
+    bool has_moving_sky_ = false;
+    uint64_t sun_revision_ = 1;
     uint32_t static_count_ = 0;
     uint64_t revision_ = 1;
     uint64_t moving_revision_ = 1;

@@ -20,8 +20,9 @@ inline uint32_t coverage_of(float alpha) {
 struct LightSource {
     glm::vec3 v0{0.0f}, v1{0.0f}, v2{0.0f};
     glm::vec3 radiance{0.0f}; // at light style value 1 and pt_emissive_scale 1
-    float coverage = 1.0f;    // below 1 for translucent lamps
+    float coverage = 1.0f;    // below 1 for translucent lamps, and where a window is not all sky
     int style = 0;            // light style that dims it
+    uint32_t flags = 0;       // shader::LIGHT_*
 };
 
 struct ModelGeometry {
@@ -43,7 +44,7 @@ struct ModelGeometry {
         const BvhInputTriangle& t = triangles.back();
         primitives.back().light = static_cast<uint32_t>(lights.size());
         lights.push_back(
-            {t.v0, t.v1, t.v2, radiance, static_cast<float>(t.coverage) / 255.0f, style});
+            {t.v0, t.v1, t.v2, radiance, static_cast<float>(t.coverage) / 255.0f, style, 0});
     }
 };
 

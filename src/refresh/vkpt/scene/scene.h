@@ -10,6 +10,7 @@
 #include "refresh/vkpt/scene/light_set.h"
 #include "refresh/vkpt/scene/material_set.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
+#include "refresh/vkpt/scene/sun.h"
 #include "refresh/vkpt/scene/top_level.h"
 
 #include <map>
@@ -29,6 +30,7 @@ struct SceneFeatures {
     bool liquid = false;
     bool animation = false;
     bool lights = false;
+    bool environment = false; // sky and sun are sampled as lights
     bool instances = false;
     bool effects =
         false; // what frames, not levels, bring: fading, glow, sprites, what some rays miss
@@ -44,6 +46,10 @@ struct SkyDescription {
     glm::vec3 radiance{0.0f};        // factor on texels, or the radiance itself without a texture
     glm::vec3 sun_direction{0.0f, 0.0f, 1.0f};
     glm::vec3 sun_irradiance{0.0f}; // on a surface that faces the sun; 0 without a sun
+    float sun_degrees = 1.0f;       // angular diameter
+
+    /// The sun with pt_sun_scale and pt_sun_size.
+    Sun sun(const refresh::Settings& settings) const;
 };
 
 /// Whether a beam has any extent.
@@ -60,16 +66,19 @@ struct InstanceLook {
 class Scene {
 public:
     Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
-          int subdivisions);
+          const refresh::Settings& settings);
 
     refresh::ModelHandle register_model(std::string_view name);
     refresh::SkinHandle register_skin(std::string_view name);
     void set_sky(std::string_view name, float degrees_per_second, const glm::vec3& axis);
 
+    /// Follows pt_env_nee and pt_sky_lights. True if lights have other ids than before: whoever
+    /// knows some must forget them.
+    bool follow_environment(const refresh::Settings& settings);
     /// Brings the scene to this frame on the host: instances, lights, poses. Returns true if a
     /// buffer was made anew, so that descriptors must be written again; the GPU must be idle then,
     /// which this function sees to.
-    bool prepare(const refresh::Frame& frame, float emissive_scale);
+    bool prepare(const refresh::Frame& frame);
     /// After prepare: makes what ray queries need, or brings it to this frame (`on`), or drops it.
     /// Returns true if acceleration_structure() is another one than before; the GPU is idle then.
     /// Throws Error if the device has no room for it.
@@ -128,7 +137,8 @@ private:
         uint64_t revision = 0;   // of the geometry, from 1
         bool deforms = false;    // a pose
         Bounds bounds;
-        std::vector<LightSource> lights;
+        std::vector<LightSource> lights; // lamps, then windows to the sky
+        size_t lamps = 0;
     };
     struct Model {
         std::string name;
@@ -145,6 +155,14 @@ private:
 
     void read_sky();
     void find_sky_pictures();
+    void measure_sky();
+    /// Makes windows of the sky faces that a model has.
+    void cut_windows(Placed& placed);
+    /// The model's lights, without those that pt_env_nee leaves out.
+    std::span<const LightSource> lights_of(const Placed& placed) const;
+    void restart_lights();
+    /// What sky and sun are as lights in this frame.
+    Environment environment(const refresh::Settings& settings) const;
     enum class Deforms { No, Yes };
     size_t place_model(std::string name, ModelGeometry geometry, Deforms deforms);
     void write_model(Placed& placed, const ModelGeometry& geometry);
@@ -166,6 +184,11 @@ private:
     std::unique_ptr<TextureSet> textures_;
     std::unique_ptr<MaterialSet> materials_;
     SkyDescription sky_;
+    SkyBrightness sky_brightness_;
+    uint64_t sky_revision_ = 0;
+    bool environment_on_ = false; // pt_env_nee
+    uint32_t most_sky_lights_ = 0;
+    float sun_area_ = 0.0f; // of the world's sky faces, across the sun's rays
     SceneFeatures features_;
 
     // Geometry of all models, as the GPU has it.
