@@ -2,7 +2,7 @@
 // Technique `lh`: the Light Hierarchy. From the root of a tree over all lights, one child of each node is drawn in proportion to what its lights
 // may add to the surface (shared/light_hierarchy.h); in the leaf, one light in proportion to its importance, as the other techniques weigh lights.
 // Nothing learns: visibility is not known. Host side: refresh/vkpt/light/lh.cpp.
-#include "light/importance.glsl"
+#include "light/sun_share.glsl"
 #include "shared/light_hierarchy.h"
 
 layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_NODES, scalar) restrict readonly buffer LightNodeBlock { uvec4 light_nodes[]; };
@@ -86,18 +86,11 @@ void reuse(inout ReusedNumber number, float share, float rest, inout Random rand
     number = ReusedNumber(number.spare.x, 1.0, number.spare.yy, number.spares - 1u);
 }
 
-/// The sun is in no box: it gets this part of the draws where it can shine.
-float sun_share(Surface surface) {
-    if (!(HAS_ENVIRONMENT && HAS_SUN) || frame.sun_light == NONE) return 0.0;
-    if (!(light_importance(prepare_importance(surface), frame.sun_light) > 0.0)) return 0.0;
-    return hierarchy.light_count == 0u ? 1.0 : 0.5;
-}
-
 LightChoice choose_light(Surface surface, inout Random random) {
     const LightHierarchyHeader header = hierarchy;
     ReusedNumber random_number = begin_reuse(random);
     float probability = 1.0;
-    const float of_sun = sun_share(surface);
+    const float of_sun = sun_share(surface, header.light_count != 0u);
     if (of_sun > 0.0) {
         if (random_number.u < of_sun) return light_choice(frame.sun_light, of_sun);
         probability = 1.0 - of_sun;
@@ -127,7 +120,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
 /// From the light's leaf to the root: the shares of all draws on the way.
 float light_probability(Surface surface, uint light) {
     const LightHierarchyHeader header = hierarchy;
-    const float of_sun = sun_share(surface);
+    const float of_sun = sun_share(surface, header.light_count != 0u);
     if (HAS_ENVIRONMENT && light == frame.sun_light) return of_sun;
     const uint place = light_places[light];
     if (place == NONE) return 0.0;

@@ -43,6 +43,15 @@ uint light_of_list(LightList list, uint index) {
     return index < list.static_count ? static_ids[list.static_first + index] : moving_ids[list.moving_first + (index - list.static_count)];
 }
 
+/// Takes the sun out of a list that holds it, as the last one of those that do not move. False if it does not.
+bool take_sun(inout LightList list) {
+    if (!(HAS_ENVIRONMENT && HAS_SUN) || list.static_count == 0u) return false;
+    if (static_ids[list.static_first + list.static_count - 1u] != frame.sun_light) return false;
+    list.static_count -= 1u;
+    list.count -= 1u;
+    return true;
+}
+
 /// Index of a light in a list, found by bisection; NONE if it is not there.
 uint place_in_list(LightList list, uint light) {
     uint first = 0u;

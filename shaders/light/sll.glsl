@@ -4,8 +4,9 @@
 // the importance of the paper (section 7), or solid angle times luminance as in the lists as they shipped (pt_sll_mass); and, where shadow
 // rays are counted (pt_sll_stats), the less the more of them were stopped on their way to it. A walk and the probability of
 // its light read the same numbers, which no frame changes while it reads them: the choice is unbiased, whatever they are.
+// The sun is drawn beside the walk (light/sun_share.glsl): one light that outshines all others must not depend on a stride.
 // Host side: refresh/vkpt/light/sll.cpp.
-#include "light/importance.glsl"
+#include "light/sun_share.glsl"
 #include "light/light_list.glsl"
 #include "light/shadow_statistics.glsl"
 
@@ -60,14 +61,33 @@ float walk_probability(CandidateWalk walk, Candidates candidates) {
     return walk.weight > 0.0 ? walk.weight / (walk.sum * float(candidates.stride)) : 0.0;
 }
 
+/// What the draws of a surface have in common.
+struct ListDraw {
+    LightList list; // without the sun
+    float of_sun;   // part of the draws that are of the sun
+};
+
+ListDraw prepare_draw(Surface surface) {
+    ListDraw draw = ListDraw(find_light_list(surface), 0.0);
+    if (take_sun(draw.list)) draw.of_sun = sun_share(surface, draw.list.count != 0u);
+    return draw;
+}
+
 LightChoice choose_light(Surface surface, inout Random random) {
-    const LightList list = find_light_list(surface);
+    const ListDraw draw = prepare_draw(surface);
     const vec3 u = random_next3(random);
-    if (list.count == 0u) return no_light();
-    Candidates candidates = prepare_candidates(surface, list);
+    LightChoice choice;
+    if (u.z < draw.of_sun) {
+        choice = light_choice(frame.sun_light, draw.of_sun);
+        if (frame.settings.pt_sll_stats != 0)
+            choice.memory.x = shadow_slot(draw.list.number, choice.light, dominant_direction(surface.normal), shadow_slots);
+        return choice;
+    }
+    if (draw.list.count == 0u) return no_light();
+    Candidates candidates = prepare_candidates(surface, draw.list);
     candidates.first = draw_index(u.x, candidates.stride);
     const CandidateWalk walk = walk_candidates(candidates, NONE, u.y);
-    LightChoice choice = light_choice(walk.light, walk_probability(walk, candidates));
+    choice = light_choice(walk.light, (1.0 - draw.of_sun) * walk_probability(walk, candidates));
     if (frame.settings.pt_sll_stats != 0) choice.memory.x = slot_of_light(candidates, choice.light);
     return choice;
 }
@@ -77,10 +97,11 @@ void learn_light(LightChoice choice, uint outcome) {
 }
 
 float light_probability(Surface surface, uint light) {
-    const LightList list = find_light_list(surface);
-    const uint place = place_in_list(list, light);
+    const ListDraw draw = prepare_draw(surface);
+    if (HAS_ENVIRONMENT && light == frame.sun_light) return draw.of_sun;
+    const uint place = place_in_list(draw.list, light);
     if (place == NONE) return 0.0;
-    Candidates candidates = prepare_candidates(surface, list);
+    Candidates candidates = prepare_candidates(surface, draw.list);
     candidates.first = place % candidates.stride; // the one start whose walk meets the light
-    return walk_probability(walk_candidates(candidates, light, 0.0), candidates);
+    return (1.0 - draw.of_sun) * walk_probability(walk_candidates(candidates, light, 0.0), candidates);
 }

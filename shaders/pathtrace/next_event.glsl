@@ -19,7 +19,7 @@ struct DirectLight {
 struct PointChoice {
     vec3 point;
     vec3 direction; // to it
-    vec3 value;     // BRDF * cosine / density, times radiance if it is sky or sun: a mean over the points weighed
+    vec3 value;     // BRDF * cosine / density: a mean over the points weighed
 };
 
 /// Weighs pt_light_points points of a light, spread evenly, and keeps one in proportion to its contribution; `value` is then their
@@ -32,7 +32,7 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
     if (HAS_GLOSS && surface.brdf.f0 > 0.0 && density == LIGHT_DENSITY_AUTO && !is_environment(light))
         share = lobe_share(prepare_importance(surface), surface.view, surface.brdf, light);
     PointChoice choice = PointChoice(vec3(0.0), vec3(0.0), vec3(0.0));
-    const int points = frame.settings.pt_light_points;
+    const int points = is_sun(light) ? 1 : frame.settings.pt_light_points;
     Reservoir reservoir = new_reservoir(v);
     for (int i = 0; i < points; ++i) {
         // Steps of the R2 sequence (Roberts 2018).
@@ -41,9 +41,7 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
         if (is_sun(light)) seen = sample_sun(place);
         else seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view, surface.brdf, share, place);
         if (!(seen.geometry > 0.0)) continue;
-        vec3 value = brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry;
-        if (is_environment(light)) value *= is_sun(light) ? frame.sun_flux : sky_box_radiance(seen.direction);
-        value = finite_or_zero(value);
+        const vec3 value = finite_or_zero(brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).value * seen.geometry);
         reservoir_add(reservoir, uint(i), max(value.x, max(value.y, value.z)));
         if (reservoir.chosen == uint(i)) choice = PointChoice(seen.point, seen.direction, value);
     }
@@ -66,26 +64,28 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bo
     if (choice.light == NONE) return vec3(0.0);
     const Light light = lights[choice.light];
     const PointChoice seen = choose_point(surface, light, u.xy, u.z);
-    vec3 value;
-    if (is_environment(light)) value = finite_or_zero(seen.value * choice.weight);
-    else value = finite_or_zero(seen.value * light.radiance * choice.weight);
+    vec3 radiance = light.radiance;
+    if (is_environment(light)) radiance = is_sun(light) ? frame.sun_flux : sky_box_radiance(seen.direction);
+    vec3 value = finite_or_zero(seen.value * radiance * choice.weight);
     if (!(max(value.x, max(value.y, value.z)) > 0.0)) return vec3(0.0);
 
-    if (is_environment(light)) {
-        outcome = environment_seen(choice.light, light, surface.origin, seen.direction, seed) ? LIGHT_SEEN : LIGHT_SHADOWED;
-        if (ray_follows) {
-            const float probability = PROBABILITY_IS_EXACT != 0 ? 1.0 / choice.weight : light_probability(surface, choice.light);
-            const float ray_pdf = brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).pdf;
-            value *= sampled_share(probability, environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);
-        }
+    bool visible;
+    if (is_environment(light) && (light.flags & LIGHT_WHOLE) == 0u) {
+        visible = environment_seen(choice.light, light, surface.origin, seen.direction, seed);
     } else {
         // From just above the surface to just above the light.
         const vec3 to_light = offset_ray_origin(seen.point, light_normal(light)) - surface.origin;
         const float distance = length(to_light);
-        const Ray ray = Ray(surface.origin, 0.0, to_light / max(distance, 1e-20), distance);
-        outcome = trace_occluded(ray, seed) ? LIGHT_SHADOWED : LIGHT_SEEN;
+        visible = !trace_occluded(Ray(surface.origin, 0.0, to_light / max(distance, 1e-20), distance), seed);
     }
-    return outcome == LIGHT_SEEN ? value : vec3(0.0);
+    outcome = visible ? LIGHT_SEEN : LIGHT_SHADOWED;
+    if (!visible) return vec3(0.0);
+    if (ray_follows && is_environment(light)) {
+        const float probability = PROBABILITY_IS_EXACT != 0 ? 1.0 / choice.weight : light_probability(surface, choice.light);
+        const float ray_pdf = brdf_evaluate(surface.brdf, surface.normal, surface.view, seen.direction).pdf;
+        value *= sampled_share(probability, environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);
+    }
+    return value;
 }
 
 DirectLight next_event_estimate(Surface surface, bool ray_follows, inout Random random) {

@@ -125,6 +125,8 @@ struct Light {
 SHADER_CONST uint LIGHT_SKY = 1u;
 /// The sun: the triangle that is seen around its cone from everywhere; `v0` is as seen from there. `radiance` is its mean on that.
 SHADER_CONST uint LIGHT_SUN = 2u;
+/// Of LIGHT_SKY: sky faces cover all of it.
+SHADER_CONST uint LIGHT_WHOLE = 4u;
 /// In the window's first light: how many columns and rows of cells the window has, 1 to 4,095 each.
 SHADER_CONST uint LIGHT_COLUMNS_SHIFT = 8u;
 SHADER_CONST uint LIGHT_ROWS_SHIFT = 20u;

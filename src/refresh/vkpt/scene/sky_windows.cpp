@@ -13,12 +13,12 @@ namespace {
 
 /// Faces this far from a plane (map units) lie in it.
 constexpr float on_plane = 0.1f;
-/// A window reaches this far beyond its faces.
-constexpr float margin = 1.0f / 16.0f;
 /// Faces of a plane that are farther apart have windows of their own.
 constexpr float together = 1.0f;
 /// A window of which faces cover less is cut in two.
 constexpr double least_filled = 0.5;
+/// A half cell of which faces cover more is covered by them.
+constexpr double whole = 1.0 - 1e-5;
 constexpr uint32_t most_cells = 4095; // of a side: shader::LIGHT_CELLS_MASK
 
 using Polygon = std::vector<glm::dvec2>;
@@ -161,8 +161,6 @@ void add_windows(const Plane& plane, std::vector<Face> faces, std::vector<Window
         add_windows(plane, std::vector<Face>(half, faces.end()), windows);
         return;
     }
-    window.frame.lower -= static_cast<double>(margin);
-    window.frame.upper += static_cast<double>(margin);
     window.faces = std::move(faces);
     windows.push_back(std::move(window));
 }
@@ -205,8 +203,9 @@ void add_lights(const Window& window, std::vector<LightSource>& lights) {
         light.v1 = window.plane->place(b);
         light.v2 = window.plane->place(c);
         light.radiance = glm::vec3(1.0f);
-        light.coverage = static_cast<float>(std::min(covered / (0.5 * cell.x * cell.y), 1.0));
-        light.flags = shader::LIGHT_SKY;
+        const double share = covered / (0.5 * cell.x * cell.y);
+        light.coverage = static_cast<float>(std::min(share, 1.0));
+        light.flags = shader::LIGHT_SKY | (share > whole ? shader::LIGHT_WHOLE : 0);
         lights.push_back(light);
     };
     for (uint32_t row = 0; row < window.rows; ++row)
