@@ -21,7 +21,7 @@ using test::z_limit;
 struct Place {
     vec3 view;
     Brdf brdf;
-    Light light;
+    Light light{};
 };
 
 const vec3 up(0.0f, 0.0f, 1.0f);
