@@ -56,8 +56,8 @@ double area(const shader::BvhTriangle& t) {
 }
 
 double area(const LightSource& light) {
-    return 0.5 * glm::length(glm::cross(glm::dvec3(light.v1 - light.v0),
-                                        glm::dvec3(light.v2 - light.v0)));
+    return 0.5 * glm::length(
+                     glm::cross(glm::dvec3(light.v1 - light.v0), glm::dvec3(light.v2 - light.v0)));
 }
 
 double face_area(const Triangles& faces) {
@@ -101,8 +101,7 @@ uint32_t sky_light(const SkyWindows& windows, uint32_t first, glm::vec3 position
 
 /// How far outside of a light's triangle a point of its plane lies, in map units; below 0: inside.
 double outside(const LightSource& light, glm::dvec3 point) {
-    const glm::dvec3 corners[] = {glm::dvec3(light.v0), glm::dvec3(light.v1),
-                                  glm::dvec3(light.v2)};
+    const glm::dvec3 corners[] = {glm::dvec3(light.v0), glm::dvec3(light.v1), glm::dvec3(light.v2)};
     const glm::dvec3 normal =
         glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     double worst = -std::numeric_limits<double>::infinity();
@@ -223,7 +222,7 @@ TEST(SkyWindows, OneRectangleIsOneWindowWhoseCoverageIsItsArea) {
         EXPECT_GE(windows.lights.size(), most / 3) << "the budget is there to be used";
         EXPECT_NEAR(covered_area(windows), 512.0 * 512.0, 1e-4 * 512.0 * 512.0);
         for (const LightSource& light : windows.lights)
-            EXPECT_GT(light.coverage, 0.99f);
+            EXPECT_GT(light.coverage, 0.98f) << "a margin of 1/16 is not sky";
     }
 }
 
