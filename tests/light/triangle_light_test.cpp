@@ -32,7 +32,7 @@ TEST(TriangleLight, SamplesIntegrateToTheSolidAngle) {
         const float distance = std::pow(10.0f, 1.0f + 2.0f * random_next(random));
         const vec3 v0 = distance * normalize(sample_sphere(random_next2(random)));
         Light light{v0, 20.0f * sample_sphere(random_next2(random)),
-                    20.0f * sample_sphere(random_next2(random)), vec3(1.0f)};
+                    20.0f * sample_sphere(random_next2(random)), vec3(1.0f), 0};
         if (light_facing(light, vec3(0.0f)) < 0.0f) std::swap(light.e1, light.e2);
         Sample mean;
         for (int k = 0; k < 20000; ++k) {
@@ -93,7 +93,7 @@ TEST(TriangleLight, ExtremeShapesStayFinite) {
         EXPECT_TRUE(length(normal) == 0.0f || std::abs(length(normal) - 1.0f) < 1e-5f);
     }
     // A sliver a thousand times as long as wide has the density its area says.
-    const Light sliver{{-500, -0.5f, 10}, {0, 1, 0}, {1000, 0, 0}, vec3(1)};
+    const Light sliver{{-500, -0.5f, 10}, {0, 1, 0}, {1000, 0, 0}, vec3(1), 0};
     EXPECT_FLOAT_EQ(see_light_point(sliver, vec3(0.0f), vec3(0, 0, 10)).pdf, 100.0f / 500.0f);
 }
 

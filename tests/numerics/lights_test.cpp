@@ -209,7 +209,7 @@ TEST(Lights, AroundTheHorizon) {
            "mean that of double precision (z < 4.5)", "z " + touching.text());
     // The point itself lies in the light, on its edge, on its corner.
     for (const vec3& v0 : {vec3(0), vec3(-1, -1, 0), vec3(-1, 0, 0)}) {
-        const Light light{v0, {0, 4, 0}, {4, 0, 0}, vec3(1.0f)};
+        const Light light{v0, {0, 4, 0}, {4, 0, 0}, vec3(1.0f), 0};
         ASSERT_NO_FATAL_FAILURE(expect_consistent(light, random, 8));
         EXPECT_EQ(sample_light(light, vec3(0.0f), vec2(0.3f)).geometry, 0.0f);
     }
@@ -254,7 +254,7 @@ TEST(Lights, AnyBits) {
     };
     int positive = 0;
     for (int i = 0; i < 400000 / slowdown; ++i) {
-        const Light light{vector(), vector(), vector(), vec3(1.0f)};
+        const Light light{vector(), vector(), vector(), vec3(1.0f), 0};
         const vec3 position = i % 2 == 0 ? vec3(0.0f) : vector();
         for (const int density :
              {LIGHT_DENSITY_AUTO, LIGHT_DENSITY_AREA, LIGHT_DENSITY_SOLID_ANGLE}) {
