@@ -17,7 +17,11 @@ LtcSurface prepare_importance(Surface surface) {
 const float LIGHT_IMPORTANCE_MOST = 1e18;
 
 /// The light as the triangle that it is seen as from a position.
-Light load_light(uint light, vec3 position) { return HAS_ENVIRONMENT && HAS_SUN ? light_from(lights[light], position) : lights[light]; }
+Light load_light(uint light, vec3 position) {
+    Light seen = lights[light]; // a copy: a choice between it and the one in the buffer has no valid type in SPIR-V
+    if (HAS_ENVIRONMENT && HAS_SUN) seen = light_from(seen, position);
+    return seen;
+}
 
 float light_importance(LtcSurface surface, uint light) {
     return min(finite_or_zero(ltc_importance(surface, load_light(light, surface.position), HAS_GLOSS)), LIGHT_IMPORTANCE_MOST);

@@ -122,8 +122,8 @@ TEST(Cvar, RealsSurviveTheWayThroughText) {
 TEST(Cvar, TypedSetFollowsTheSameRules) {
     CvarRegistry registry;
     const LogCapture log;
-    registry.set(&CvarValues::pt_sun_size, 0.01f);
-    registry.set(&CvarValues::pt_sun_size, 90.0f);
+    registry.set(&CvarValues::pt_sun_size, -1.0f);
+    registry.set(&CvarValues::pt_sun_size, 180.0f);
     EXPECT_TRUE(log.lines.empty()) << log.all();
     registry.set(&CvarValues::pt_spp, 1 << 30);
     EXPECT_EQ(registry->pt_spp, 4096);

@@ -15,7 +15,7 @@ namespace {
 const glm::vec3 far_eye{0.0f, 0.0f, 1e5f}; // so far that all lights are as near
 
 shader::Light light_at(glm::vec3 position, float radiance, float size = 8.0f) {
-    return {position, {size, 0, 0}, {0, size, 0}, glm::vec3(radiance)};
+    return {position, {size, 0, 0}, {0, size, 0}, glm::vec3(radiance), 0};
 }
 
 void expect_density(const std::vector<float>& weights, std::span<const shader::Light> lights) {

@@ -23,11 +23,11 @@ const vec3 up(0, 0, 1);
 /// A light seen from the origin, turned so that it faces it.
 struct Case {
     vec3 normal;
-    Light light;
+    Light light{};
 };
 
 Light make_light(vec3 v0, vec3 v1, vec3 v2) {
-    Light light;
+    Light light{};
     light.v0 = v0;
     light.e1 = v1 - v0;
     light.e2 = v2 - v0;

@@ -91,18 +91,18 @@ std::vector<Light> dead_lights() {
     const float infinity = std::numeric_limits<float>::infinity();
     const glm::vec3 x(1, 0, 0), y(0, 1, 0), white(1.0f), black(0.0f);
     return {
-        {x, x, y, black},
-        {x, x, y, white},
-        {x, x, x, white},
-        {x, black, y, white},
-        {x, black, black, white},
-        {x, 2.0f * y, -3.0f * y, white},
-        {x, x, y, {nan, 0, 0}},
-        {{nan, 0, 0}, x, y, white},
-        {{infinity, 0, 0}, x, y, white},
-        {x, {0, 0, nan}, y, white},
-        {x, {infinity, 0, 0}, y, white},
-        {y, y, x, {0, 1e-20f, 0}},
+        {x, x, y, black, 0},
+        {x, x, y, white, 0},
+        {x, x, x, white, 0},
+        {x, black, y, white, 0},
+        {x, black, black, white, 0},
+        {x, 2.0f * y, -3.0f * y, white, 0},
+        {x, x, y, {nan, 0, 0}, 0},
+        {{nan, 0, 0}, x, y, white, 0},
+        {{infinity, 0, 0}, x, y, white, 0},
+        {x, {0, 0, nan}, y, white, 0},
+        {x, {infinity, 0, 0}, y, white, 0},
+        {y, y, x, {0, 1e-20f, 0}, 0},
     };
 }
 

@@ -21,7 +21,7 @@ using test::z_limit;
 struct Place {
     vec3 view;
     Brdf brdf;
-    Light light;
+    Light light{};
 };
 
 const vec3 up(0.0f, 0.0f, 1.0f);
@@ -37,7 +37,7 @@ Brdf glossy(float alpha) {
 Place beside_a_lamp(float alpha) {
     return {normalize(vec3(-1.0f, 0.0f, 0.8f)),
             glossy(alpha),
-            {{3, -10, 0.5f}, {0, 0, 20}, {0, 20, 0}, vec3(30.0f)}};
+            {{3, -10, 0.5f}, {0, 0, 20}, {0, 20, 0}, vec3(30.0f), 0}};
 }
 
 Place random_place(Random& random) {
@@ -48,7 +48,7 @@ Place random_place(Random& random) {
     const float distance = std::pow(10.0f, 2.5f * random_next(random));
     place.light = {distance * sample_sphere(random_next2(random)),
                    20.0f * sample_sphere(random_next2(random)),
-                   20.0f * sample_sphere(random_next2(random)), vec3(1.0f)};
+                   20.0f * sample_sphere(random_next2(random)), vec3(1.0f), 0};
     if (light_facing(place.light, vec3(0.0f)) < 0.0f) std::swap(place.light.e1, place.light.e2);
     return place;
 }

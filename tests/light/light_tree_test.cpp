@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Counts, LightTreeOf, testing::Values(1, 2, 3, 500, 6000
 
 TEST(LightPower, IsAreaTimesLuminance) {
     // A right triangle with legs of 6 and 8; Rec. 709 weighs red, green and blue so.
-    const shader::Light light{{1, 2, 3}, {6, 0, 0}, {0, 0, 8}, {1, 0, 0}};
+    const shader::Light light{{1, 2, 3}, {6, 0, 0}, {0, 0, 8}, {1, 0, 0}, 0};
     EXPECT_FLOAT_EQ(light_power(light), 24.0f * 0.2126f);
     shader::Light green = light, blue = light;
     green.radiance = {0, 10, 0};

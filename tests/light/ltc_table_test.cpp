@@ -125,7 +125,7 @@ TEST(LtcTable, ImportanceFollowsGgx) {
                 100.0f * to_world(basis, sample_cosine_hemisphere(random_next2(random)));
             const vec3 e1 = 30.0f * normalize(sample_sphere(random_next2(random)));
             const vec3 e2 = 30.0f * normalize(sample_sphere(random_next2(random)));
-            Light light{center - (e1 + e2) / 3.0f, e1, e2, vec3(1.0f)};
+            Light light{center - (e1 + e2) / 3.0f, e1, e2, vec3(1.0f), 0};
             if (light_facing(light, vec3(0.0f)) < 0.0f) std::swap(light.e1, light.e2);
             const Brdf brdf = make_brdf(0.0f, 0.5f, alpha);
             const double truth = reflected(brdf, normal, view, light);
@@ -147,7 +147,7 @@ TEST(LtcTable, ImportanceFollowsGgx) {
 }
 
 TEST(LtcTable, DiffuseOnlyIsTheSameWithoutALobe) {
-    const Light light{{-10, -10, 50}, {0, 20, 0}, {20, 0, 0}, vec3(2.0f)};
+    const Light light{{-10, -10, 50}, {0, 20, 0}, {20, 0, 0}, vec3(2.0f), 0};
     const Brdf brdf = brdf_lambert(vec3(0.4f));
     const LtcSurface surface = ltc_prepare_diffuse(vec3(0.0f), up, 0.4f);
     EXPECT_GT(ltc_importance(surface, light, false), 0.0f);
@@ -162,7 +162,7 @@ TEST(LtcTable, DiffuseOnlyIsTheSameWithoutALobe) {
 }
 
 TEST(LtcTable, BadViewsStayFinite) {
-    const Light light{{-10, -10, 50}, {0, 20, 0}, {20, 0, 0}, vec3(2.0f)};
+    const Light light{{-10, -10, 50}, {0, 20, 0}, {20, 0, 0}, vec3(2.0f), 0};
     for (const vec3& view :
          {up, -up, vec3(1, 0, 0), up * (1.0f + 1e-6f), normalize(vec3(1, 0, -0.5f))}) {
         for (const float alpha : {0.01f, 0.1f, 1.0f}) {

@@ -54,10 +54,10 @@ TEST(SphericalTriangle, SolidAngleIsExact) {
         const double exact = std::abs(exact_solid_angle(a, a + e1, a + e2));
         const SphericalTriangle seen = spherical_triangle(shape.a, shape.e1, shape.e2);
         EXPECT_NEAR(static_cast<double>(seen.solid_angle) / exact, 1.0, 1e-5) << shape.name;
-        const Light light{shape.a, shape.e1, shape.e2, vec3(1.0f)};
+        const Light light{shape.a, shape.e1, shape.e2, vec3(1.0f), 0};
         EXPECT_NEAR(static_cast<double>(light_solid_angle(light, vec3(0.0f))) / exact, 1.0, 1e-5)
             << shape.name;
-        const Light back{shape.a, shape.e2, shape.e1, vec3(1.0f)};
+        const Light back{shape.a, shape.e2, shape.e1, vec3(1.0f), 0};
         EXPECT_EQ(light_solid_angle(back, vec3(0.0f)), 0.0f) << shape.name;
     }
 }
@@ -181,7 +181,7 @@ TEST(SphericalTriangle, EveryDensityOfALightHasItsSolidAngleAsMean) {
              {0u, 1u, 2u}) { // area sampling has no finite variance beside a light
             const Shape& given = shapes[shape];
             const Shape s = lit(given);
-            const Light light{s.a, s.e1, s.e2, vec3(1.0f)};
+            const Light light{s.a, s.e1, s.e2, vec3(1.0f), 0};
             const SphericalTriangle near = near_light(light, vec3(0.0f), density);
             EXPECT_TRUE(density != LIGHT_DENSITY_AREA || near.solid_angle == 0.0f);
             EXPECT_TRUE(density != LIGHT_DENSITY_SOLID_ANGLE || near.solid_angle > 0.0f);

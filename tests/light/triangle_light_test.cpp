@@ -14,7 +14,7 @@ using test::Sample;
 using test::z_limit;
 
 Light overhead() {
-    return {{-8, -8, 30}, {0, 16, 0}, {16, 0, 0}, vec3(1.0f)};
+    return {{-8, -8, 30}, {0, 16, 0}, {16, 0, 0}, vec3(1.0f), 0};
 }
 
 /// Solid angle of a triangle seen from the origin (Van Oosterom and Strackee 1983).
@@ -32,7 +32,7 @@ TEST(TriangleLight, SamplesIntegrateToTheSolidAngle) {
         const float distance = std::pow(10.0f, 1.0f + 2.0f * random_next(random));
         const vec3 v0 = distance * normalize(sample_sphere(random_next2(random)));
         Light light{v0, 20.0f * sample_sphere(random_next2(random)),
-                    20.0f * sample_sphere(random_next2(random)), vec3(1.0f)};
+                    20.0f * sample_sphere(random_next2(random)), vec3(1.0f), 0};
         if (light_facing(light, vec3(0.0f)) < 0.0f) std::swap(light.e1, light.e2);
         Sample mean;
         for (int k = 0; k < 20000; ++k) {
@@ -79,9 +79,9 @@ TEST(TriangleLight, ShinesFromItsFrontOnly) {
 TEST(TriangleLight, ExtremeShapesStayFinite) {
     const vec3 a(1, 2, 3), b(4, 0, 1);
     for (const Light& light :
-         {Light{a, vec3(0), vec3(0), vec3(1)}, Light{a, b, b, vec3(1)}, Light{a, b, -b, vec3(1)},
-          Light{a, 1e-15f * b, vec3(0, 1e-15f, 0), vec3(1)}, Light{a, b, b * 1.0001f, vec3(1)},
-          Light{a, 1e10f * b, vec3(0, -1e10f, 0), vec3(1)}, Light{vec3(0), a, b, vec3(1)}}) {
+         {Light{a, vec3(0), vec3(0), vec3(1), 0}, Light{a, b, b, vec3(1), 0}, Light{a, b, -b, vec3(1), 0},
+          Light{a, 1e-15f * b, vec3(0, 1e-15f, 0), vec3(1), 0}, Light{a, b, b * 1.0001f, vec3(1), 0},
+          Light{a, 1e10f * b, vec3(0, -1e10f, 0), vec3(1), 0}, Light{vec3(0), a, b, vec3(1), 0}}) {
         for (const float x : {0.0f, 0.3f, 1.0f - 1.0f / 16777216.0f}) {
             const LightSample seen = sample_light(light, vec3(0.0f), vec2(x, 1.0f - x));
             EXPECT_TRUE(std::isfinite(seen.pdf) && seen.pdf >= 0.0f);
@@ -93,7 +93,7 @@ TEST(TriangleLight, ExtremeShapesStayFinite) {
         EXPECT_TRUE(length(normal) == 0.0f || std::abs(length(normal) - 1.0f) < 1e-5f);
     }
     // A sliver a thousand times as long as wide has the density its area says.
-    const Light sliver{{-500, -0.5f, 10}, {0, 1, 0}, {1000, 0, 0}, vec3(1)};
+    const Light sliver{{-500, -0.5f, 10}, {0, 1, 0}, {1000, 0, 0}, vec3(1), 0};
     EXPECT_FLOAT_EQ(see_light_point(sliver, vec3(0.0f), vec3(0, 0, 10)).pdf, 100.0f / 500.0f);
 }
 

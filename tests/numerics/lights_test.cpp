@@ -43,7 +43,7 @@ Light any_light(Random& random, float distance, float size, float aspect = 4.0f)
     for (;;) {
         const Light light{distance * any_direction(random), size * any_direction(random),
                           size * any_direction(random) / aspect * (1.0f + random_next(random)),
-                          vec3(1.0f)};
+                          vec3(1.0f), 0};
         const float sine =
             length(cross(light.e1, light.e2)) / (length(light.e1) * length(light.e2));
         if (sine > 0.2f) return facing(light);
@@ -148,10 +148,10 @@ TEST(Lights, SliversAndNone) {
     record("lights", "slivers, up to 1e7 times as long as wide",
            "finite, density that of the draws, mean that of double precision (z < 4.5)",
            "z " + scores.text());
-    for (const Light& light : {Light{{1, 2, 3}, vec3(0), vec3(0), vec3(1)},
-                               Light{{1, 2, 3}, {4, 0, 1}, {4, 0, 1}, vec3(1)},
-                               Light{{1, 2, 3}, {4, 0, 1}, {-8, 0, -2}, vec3(1)},
-                               Light{vec3(0), vec3(0), vec3(0), vec3(1)}}) {
+    for (const Light& light : {Light{{1, 2, 3}, vec3(0), vec3(0), vec3(1), 0},
+                               Light{{1, 2, 3}, {4, 0, 1}, {4, 0, 1}, vec3(1), 0},
+                               Light{{1, 2, 3}, {4, 0, 1}, {-8, 0, -2}, vec3(1), 0},
+                               Light{vec3(0), vec3(0), vec3(0), vec3(1), 0}}) {
         ASSERT_NO_FATAL_FAILURE(expect_consistent(light, random, 8));
         EXPECT_EQ(sample_light(light, vec3(0.0f), vec2(0.3f)).pdf, 0.0f);
         EXPECT_EQ(ltc_importance(ltc_prepare_diffuse(vec3(0.0f), up, 1.0f), light, false), 0.0f);
@@ -209,7 +209,7 @@ TEST(Lights, AroundTheHorizon) {
            "mean that of double precision (z < 4.5)", "z " + touching.text());
     // The point itself lies in the light, on its edge, on its corner.
     for (const vec3& v0 : {vec3(0), vec3(-1, -1, 0), vec3(-1, 0, 0)}) {
-        const Light light{v0, {0, 4, 0}, {4, 0, 0}, vec3(1.0f)};
+        const Light light{v0, {0, 4, 0}, {4, 0, 0}, vec3(1.0f), 0};
         ASSERT_NO_FATAL_FAILURE(expect_consistent(light, random, 8));
         EXPECT_EQ(sample_light(light, vec3(0.0f), vec2(0.3f)).geometry, 0.0f);
     }
@@ -254,7 +254,7 @@ TEST(Lights, AnyBits) {
     };
     int positive = 0;
     for (int i = 0; i < 400000 / slowdown; ++i) {
-        const Light light{vector(), vector(), vector(), vec3(1.0f)};
+        const Light light{vector(), vector(), vector(), vec3(1.0f), 0};
         const vec3 position = i % 2 == 0 ? vec3(0.0f) : vector();
         for (const int density :
              {LIGHT_DENSITY_AUTO, LIGHT_DENSITY_AREA, LIGHT_DENSITY_SOLID_ANGLE}) {

@@ -20,6 +20,7 @@ protected:
         const std::map<std::string, bool> expected = {{"lights", features.lights},
                                                       {"sky", features.sky},
                                                       {"sun", features.sun},
+                                                      {"sky as light", features.environment},
                                                       {"translucency", features.translucent},
                                                       {"gloss", features.gloss},
                                                       {"liquids", features.liquid},
@@ -42,26 +43,33 @@ TEST_F(Features, AreOnWhereTheLevelHasThem) {
         const char* level;
         Shot shot;
         vkpt::SceneFeatures features;
+        const char* env_nee = "1";
     };
-    vkpt::SceneFeatures lights, windows, sky;
+    vkpt::SceneFeatures lights, windows, sky, sky_by_rays;
     lights.lights = true;
     windows.lights = windows.translucent = true;
-    sky.sky = sky.sun = true;
+    sky_by_rays.sky = sky_by_rays.sun = true;
+    sky = sky_by_rays;
+    sky.lights = sky.environment = true;
     const Row rows[] = {
         {"lamp", {{{-192, 0, 64}, {20, 0, 0}, 90}, {}, {}, 0}, lights},
         {"rooms", {{{420, 40, 90}, {0, 50, 0}, 90}, {}, {}, 0}, windows},
         {"opensky", {{{-192, -64, 56}, {0, 20, 0}, 90}, {}, {}, 0}, sky},
+        {"opensky", {{{-192, -64, 56}, {0, 20, 0}, 90}, {}, {}, 0}, sky_by_rays, "0"},
     };
     for (const Row& row : rows) {
-        SCOPED_TRACE(row.level);
+        SCOPED_TRACE(fmt::format("{}, pt_env_nee {}", row.level, row.env_nee));
+        set("pt_env_nee", row.env_nee);
         load(row.level);
         radiance(row.shot);
         EXPECT_EQ(renderer().scene()->features(), row.features);
         expect_reported(row.features);
         // Compiled with everything, the same level gives the same picture but for rounding, which
-        // may turn a few paths at edges. Lights stay as they are: they draw random numbers.
-        vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true};
+        // may turn a few paths at edges. Lights stay as they are: they draw random numbers; and
+        // sky and sun are lights or not.
+        vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true, true};
         everything.lights = row.features.lights;
+        everything.environment = row.features.environment || !row.features.sky;
         const std::vector<float> lean = trace(params(row.shot), row.features, 8);
         const std::vector<float> full = trace(params(row.shot), everything, 8);
         size_t differing = 0;

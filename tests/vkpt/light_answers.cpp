@@ -30,6 +30,7 @@ double LightAnswers::sum(size_t pixel) const {
 vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique) {
     vkpt::SceneFeatures features; // of any scene
     features.instances = features.translucent = features.lights = true;
+    features.sky = features.sun = features.environment = true;
     return test_pass(renderer, fmt::format("light_technique.{}", technique), features);
 }
 

@@ -272,11 +272,78 @@ LightScene far_away() {
     return scene;
 }
 
+using Entries = std::vector<std::pair<const char*, const char*>>;
+
+/// The court of the level `opensky` with these entries in its worldspawn: walls, floor and what
+/// stands there.
+LightScene court(std::string name, const Entries& entries) {
+    LightScene scene;
+    scene.name = std::move(name);
+    scene.level = "opensky";
+    scene.edit = [entries](Level& level) {
+        for (const auto& [key, value] : entries)
+            level.bsp.entities[0].set(key, value);
+    };
+    scene.shot.view = {{-192, -64, 56}, {10, 20, 0}, 90};
+    return scene;
+}
+
+LightScene sky_and_sun() {
+    LightScene scene = court("SkyAndSun", {});
+    scene.shot.dynamic_lights = {{7, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
+    return scene;
+}
+
+LightScene black_sky_and_point_sun() {
+    LightScene scene = court("BlackSkyAndPointSun",
+                             {{"sky", ""}, {"_sky_color", "0 0 0"}, {"_sun_angle", "0"}});
+    scene.extreme = "a sun of angle 0 in a black sky";
+    scene.spread = false; // there is nothing but the sun
+    return scene;
+}
+
+LightScene sun_of_180_degrees() {
+    LightScene scene = court("SunOf180Degrees", {{"_sun_angle", "180"}});
+    scene.extreme = "a sun of 180 degrees";
+    return scene;
+}
+
+LightScene sun_below_the_horizon() {
+    LightScene scene = court("SunBelowTheHorizon", {{"_sun_mangle", "40 55 0"}});
+    scene.extreme = "a sun below the horizon";
+    return scene;
+}
+
+LightScene sun_behind_walls() {
+    // One degree above the horizon: it shines upon the upper rim of the walls alone.
+    LightScene scene = court("SunBehindWalls", {{"_sun_mangle", "40 -1 0"}});
+    scene.extreme = "a sun behind walls";
+    return scene;
+}
+
+LightScene black_sky() {
+    LightScene scene =
+        court("BlackSky", {{"sky", ""}, {"_sky_color", "0 0 0"}, {"_sun_light", "0"}});
+    scene.dark = true;
+    scene.extreme = "a black sky without a sun";
+    return scene;
+}
+
+LightScene turning_sky() {
+    LightScene scene = court("TurningSky", {{"_sun_light", "0"}});
+    scene.sky_turns = {20.0f, 0.6f, 0.0f, 0.8f};
+    scene.shot.time_s = 3.0;
+    scene.extreme = "a sky that rotates";
+    return scene;
+}
+
 } // namespace
 
 std::vector<LightScene> extreme_light_scenes() {
-    return {many_brightnesses(), needles_and_specks(), through_the_floor(),
-            behind_the_roof(),   all_black(),          far_away()};
+    return {many_brightnesses(),  needles_and_specks(),    through_the_floor(),
+            behind_the_roof(),    all_black(),             far_away(),
+            sun_of_180_degrees(), sun_below_the_horizon(), sun_behind_walls(),
+            black_sky(),          turning_sky(),           black_sky_and_point_sun()};
 }
 
 std::vector<LightScene> light_scenes() {
@@ -287,7 +354,8 @@ std::vector<LightScene> light_scenes() {
             half_of_them_black(),
             in_the_plane(),
             rooms(),
-            moving()};
+            moving(),
+            sky_and_sun()};
 }
 
 void hang_scattered(Level& level, int count, float size, int value) {

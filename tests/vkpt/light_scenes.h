@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The scenes on which every light-sampling technique is tested: one lamp, none, only lamps that
 // cannot shine on what is seen, ten thousand, half of them switched off, lamps in the plane of what
-// they would shine on, lamps that moved. Made in memory: triangles of light are hung into small
+// they would shine on, lamps that moved, a court under sky and sun. Made in memory: triangles of light are hung into small
 // levels of tests/data.
 #pragma once
 
 #include "render_test.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct LightScene {
     glm::ivec2 size{24, 16};
     /// Biases of the mean picture that any technique's test must be able to find.
     Bounds bounds{.everywhere = 0.05, .quadrant = 0.14, .five_blocks = 0.4};
+    /// Sky: degrees per second about an axis.
+    std::optional<glm::vec4> sky_turns{};
     /// No light reaches what is seen.
     bool dark = false;
     /// Draws spread over many lights, so that an error in probabilities can be found among them.
@@ -33,7 +36,8 @@ std::vector<LightScene> light_scenes();
 
 /// Lights at the extremes: brightnesses from 1e-12 to 1e12 in one room, needles and lamps of a
 /// ten-thousandth of a unit, lamps that stand on the floor and reach through it, lamps behind walls
-/// alone, all switched off, and a room at the far end of the coordinates that levels may have.
+/// alone, all switched off, a room at the far end of the coordinates that levels may have, and skies
+/// and suns of every kind.
 std::vector<LightScene> extreme_light_scenes();
 
 /// Hangs triangles of light of this size under the roof of the level `lamp`, turned anyhow.

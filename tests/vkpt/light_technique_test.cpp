@@ -69,6 +69,9 @@ protected:
     void bring(LightScene& scene) {
         set_size(scene.size.x, scene.size.y);
         load(scene.level, scene.edit);
+        if (scene.sky_turns)
+            renderer().set_sky("court", scene.sky_turns->x,
+                               {scene.sky_turns->y, scene.sky_turns->z, scene.sky_turns->w});
         if (scene.door) scene.shot.entities[0].model = renderer().register_model("*1");
         learn(scene.shot, frames_to_learn);
         // The same primary hits for all: a ray may or may not stop at a window.

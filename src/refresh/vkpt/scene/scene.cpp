@@ -50,11 +50,6 @@ SunAngle sun_angle(const vigil::Entity& world) {
 
 } // namespace
 
-Sun SkyDescription::sun(const refresh::Settings& settings) const {
-    const float degrees = settings.pt_sun_size < 0.0f ? sun_degrees : settings.pt_sun_size;
-    return {sun_direction, sun_irradiance * settings.pt_sun_scale, 0.5f * glm::radians(degrees)};
-}
-
 Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
              const refresh::Settings& settings)
     : device_(device), files_(files), level_(std::move(level)),

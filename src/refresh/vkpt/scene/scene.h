@@ -10,7 +10,7 @@
 #include "refresh/vkpt/scene/light_set.h"
 #include "refresh/vkpt/scene/material_set.h"
 #include "refresh/vkpt/scene/mesh_geometry.h"
-#include "refresh/vkpt/scene/sun.h"
+#include "refresh/vkpt/scene/sky_description.h"
 #include "refresh/vkpt/scene/top_level.h"
 
 #include <map>
@@ -35,21 +35,6 @@ struct SceneFeatures {
     bool effects =
         false; // what frames, not levels, bring: fading, glow, sprites, what some rays miss
     bool operator==(const SceneFeatures&) const = default;
-};
-
-/// Sky and sun as worldspawn describes them, or the front end (the sky alone).
-struct SkyDescription {
-    std::string name;
-    float degrees_per_second = 0.0f; // about the axis, counter-clockwise
-    glm::vec3 axis{0.0f, 0.0f, 1.0f};
-    std::optional<uint32_t> texture; // first of six headers
-    glm::vec3 radiance{0.0f};        // factor on texels, or the radiance itself without a texture
-    glm::vec3 sun_direction{0.0f, 0.0f, 1.0f};
-    glm::vec3 sun_irradiance{0.0f}; // on a surface that faces the sun; 0 without a sun
-    float sun_degrees = 1.0f;       // angular diameter
-
-    /// The sun with pt_sun_scale and pt_sun_size.
-    Sun sun(const refresh::Settings& settings) const;
 };
 
 /// Whether a beam has any extent.

@@ -19,6 +19,8 @@ constexpr float together = 1.0f;
 constexpr double least_filled = 0.5;
 /// A half cell of which faces cover more is covered by them.
 constexpr double whole = 1.0 - 1e-5;
+/// Directions of edges that are looked at in a plane.
+constexpr size_t most_directions = 64;
 constexpr uint32_t most_cells = 4095; // of a side: shader::LIGHT_CELLS_MASK
 
 using Polygon = std::vector<glm::dvec2>;
@@ -67,17 +69,46 @@ struct Face {
     Rectangle box;
 };
 
+/// A direction of edges, up to quarter turns.
+struct EdgeDirection {
+    glm::dvec3 along; // unit
+    double length;    // of all its edges
+};
+
 struct Plane {
     glm::dvec3 normal, origin, along, across; // along, across, normal: right-handed
-    double longest = 0.0;                     // squared length of the edge that `along` follows
+    std::vector<EdgeDirection> directions;
     std::vector<size_t> triangles;
+
+    void add_edge(const glm::dvec3& edge) {
+        const glm::dvec3 in_plane = edge - glm::dot(edge, normal) * normal;
+        const double length = glm::length(in_plane);
+        if (!(length > 0.0)) return;
+        const glm::dvec3 unit = in_plane / length;
+        const auto same = [&](const EdgeDirection& known) {
+            const double cosine = std::abs(glm::dot(known.along, unit));
+            return std::max(cosine, std::sqrt(std::max(1.0 - cosine * cosine, 0.0))) > 0.9999;
+        };
+        const auto known = std::ranges::find_if(directions, same);
+        if (known != directions.end())
+            known->length += length;
+        else if (directions.size() < most_directions)
+            directions.push_back({unit, length});
+    }
+    /// Windows lie along the direction of most of the edges: of a rectangle's two triangles that is
+    /// its sides', not their common diagonal's.
+    void turn() {
+        const EdgeDirection* most = &directions.front();
+        for (const EdgeDirection& direction : directions)
+            if (direction.length > 1.001 * most->length) most = &direction; // the first of equals
+        along = most->along;
+        across = glm::cross(normal, along);
+    }
 
     glm::dvec2 flat(const glm::dvec3& p) const {
         return {glm::dot(p - origin, along), glm::dot(p - origin, across)};
     }
-    glm::vec3 place(glm::dvec2 p) const {
-        return glm::vec3(origin + p.x * along + p.y * across);
-    }
+    glm::vec3 place(glm::dvec2 p) const { return glm::vec3(origin + p.x * along + p.y * across); }
 };
 
 struct Window {
@@ -103,19 +134,15 @@ std::vector<Plane> find_planes(std::span<const shader::BvhTriangle> triangles) {
         };
         auto plane = std::ranges::find_if(planes, fits);
         if (plane == planes.end()) {
-            planes.push_back({normal / length, v0, {}, {}, 0.0, {}});
+            planes.push_back({normal / length, v0, {}, {}, {}, {}});
             plane = planes.end() - 1;
         }
         plane->triangles.push_back(i);
-        for (const glm::dvec3& edge : {e1, e2, e2 - e1}) {
-            const double squared = glm::dot(edge, edge);
-            if (squared <= 1.001 * plane->longest) continue; // the first of equals
-            plane->longest = squared;
-            const glm::dvec3 along = edge - glm::dot(edge, plane->normal) * plane->normal;
-            plane->along = glm::normalize(along);
-            plane->across = glm::cross(plane->normal, plane->along);
-        }
+        for (const glm::dvec3& edge : {e1, e2, e2 - e1})
+            plane->add_edge(edge);
     }
+    for (Plane& plane : planes)
+        plane.turn();
     return planes;
 }
 
@@ -154,8 +181,8 @@ void add_windows(const Plane& plane, std::vector<Face> faces, std::vector<Window
     const glm::dvec2 size = window.frame.size();
     if (faces.size() > 1 && filled < least_filled * size.x * size.y) {
         const glm::length_t axis = size.x >= size.y ? 0 : 1;
-        std::ranges::stable_sort(
-            faces, {}, [&](const Face& face) { return face.box.middle()[axis]; });
+        std::ranges::stable_sort(faces, {},
+                                 [&](const Face& face) { return face.box.middle()[axis]; });
         const auto half = faces.begin() + static_cast<std::ptrdiff_t>(faces.size() / 2);
         add_windows(plane, std::vector<Face>(faces.begin(), half), windows);
         add_windows(plane, std::vector<Face>(half, faces.end()), windows);
@@ -214,8 +241,8 @@ void add_lights(const Window& window, std::vector<LightSource>& lights) {
             add_half(low, {cell.x, 0.0}, {0.0, cell.y});
             add_half(low + cell, {-cell.x, 0.0}, {0.0, -cell.y});
         }
-    lights[first].flags |= window.columns << shader::LIGHT_COLUMNS_SHIFT |
-                           window.rows << shader::LIGHT_ROWS_SHIFT;
+    lights[first].flags |=
+        window.columns << shader::LIGHT_COLUMNS_SHIFT | window.rows << shader::LIGHT_ROWS_SHIFT;
 }
 
 } // namespace

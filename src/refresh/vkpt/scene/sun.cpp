@@ -10,7 +10,8 @@ namespace vigil::vkpt {
 
 namespace {
 
-/// The triangle reaches a little beyond the cone: whatever sees a part of the sun sees a part of it.
+/// The triangle reaches a little beyond the cone: whatever sees a part of the sun sees a part of
+/// it.
 constexpr float beyond = 1e-3f;
 /// Of a wider sun only so much has a place in the triangle's plane.
 constexpr float widest = 1.5690f; // 89.9 degrees
@@ -28,13 +29,10 @@ glm::vec3 Sun::flux() const {
 }
 
 shader::Light sun_light(const Sun& sun, float area) {
-    // Its power, and so its weight beside lamps, is irradiance times area: the distance says so.
-    const float distance = std::sqrt(std::max(area, 1.0f) / shader::PI);
     const float radius = (1.0f + beyond) * std::tan(std::min(sun.half_angle, widest)) + beyond;
     const shader::Basis basis = shader::make_basis(sun.direction);
     const auto corner = [&](float x, float y) {
-        return distance *
-               (sun.direction + 2.0f * radius * (x * basis.tangent + y * basis.bitangent));
+        return sun.direction + 2.0f * radius * (x * basis.tangent + y * basis.bitangent);
     };
     const float y = std::sqrt(0.75f);
     shader::Light light;
@@ -47,6 +45,11 @@ shader::Light sun_light(const Sun& sun, float area) {
                                            shader::light_facing(light, glm::vec3(0.0f)));
     light.radiance =
         area > 0.0f && form > 0.0f ? sun.irradiance / (shader::PI * form) : glm::vec3(0.0f);
+    // Its power, and so its weight beside lamps, is irradiance times area: the distance says so.
+    const float distance = std::sqrt(std::max(area, 1.0f) * form / shader::light_area(light));
+    light.v0 *= distance;
+    light.e1 *= distance;
+    light.e2 *= distance;
     return light;
 }
 
