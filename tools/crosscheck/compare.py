@@ -82,7 +82,7 @@ def works(variant):
 
 
 def needs_short_paths(scene):
-    return len(scene.sky_faces) > 0 or any(s.material.f0 > 0 or s.material.coverage < 1 for s in scene.surfaces)
+    return len(scene.sky_faces) > 0 or scene.sun_irradiance is not None or any(s.material.f0 > 0 or s.material.coverage < 1 for s in scene.surfaces)
 
 
 def render(exported, folder, options):
@@ -92,8 +92,8 @@ def render(exported, folder, options):
     width, height = options.size
     for surface in exported.surfaces:
         surface.material.radiance = options.spoil * surface.material.radiance
-    scene, materials = mitsuba_scene.build(exported, folder, width, height, options.exact_texels)
     short = options.integrator == "short" or (options.integrator == "auto" and needs_short_paths(exported))
+    scene, materials = mitsuba_scene.build(exported, folder, width, height, options.exact_texels, sun=not short)
     pictures = []
     seeds = range(1000 * options.seed, 1000 * options.seed + options.batches)
     if short:

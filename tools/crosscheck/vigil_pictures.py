@@ -3,10 +3,10 @@
 
 import subprocess
 
-# What must be the same on both sides: uniform lamps, steady styles, rays spread over each pixel, textures without mip levels. The sun is wider than in
-# play, or next to no path of either side would find it; its irradiance does not depend on its size.
+# What must be the same on both sides: uniform lamps, steady styles, rays spread over each pixel, textures without mip levels. The sun has the
+# level's own size.
 SETTINGS = {"vid_driver": "headless", "pt_emissive_texture": 0, "pt_light_styles": 0, "pt_jitter": 1,
-            "pt_texture_filter": "full", "pt_sun_size": 20, "pt_bounces": 1}
+            "pt_texture_filter": "full", "pt_bounces": 1}
 
 
 class VigilFailed(Exception):
