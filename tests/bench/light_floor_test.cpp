@@ -101,7 +101,7 @@ TEST_F(LightFloorTest, IsBelowEveryTechnique) {
     }
 }
 
-TEST_F(LightFloorTest, IsBelowEveryTechniqueUnderTheSky) {
+TEST_F(LightFloorTest, IsBelowTechniquesUnderTheSky) {
     // Windows to the sky and the sun, which is small or a point, are lights as others are.
     for (const char* size : {"1", "0"}) {
         LightScene scene;
@@ -114,11 +114,10 @@ TEST_F(LightFloorTest, IsBelowEveryTechniqueUnderTheSky) {
         EXPECT_GT(least.variance, 0.0);
         std::cout << fmt::format("sun of {} degrees: floor {:.3g} ({:.3g}, {:.3g})", size,
                                  least.variance, least.halves[0], least.halves[1]);
-        for (const TechniqueInfo& info : technique_infos) {
-            if (info.name == "brute") continue;
-            const Noise measured = noise(info.name, 60);
-            std::cout << fmt::format(", {} {:.3g}", info.name, measured.variance);
-            EXPECT_LT(least.variance, 1.02 * measured.variance) << info.name;
+        for (const char* technique : {"sll", "lh", "ris"}) { // by lists, by a tree, by a table
+            const Noise measured = noise(technique, 60);
+            std::cout << fmt::format(", {} {:.3g}", technique, measured.variance);
+            EXPECT_LT(least.variance, 1.02 * measured.variance) << technique;
         }
         std::cout << '\n';
     }

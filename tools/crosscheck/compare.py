@@ -33,6 +33,7 @@ class Level:
     basedir: Path
     view: tuple = ()  # x y z pitch yaw roll; none: where the player starts
     variables: tuple = ()  # pairs
+    map: str = ""  # none: the name
 
 
 LEVELS = {level.name: level for level in [
@@ -40,6 +41,9 @@ LEVELS = {level.name: level for level in [
     # Where all walls shine, points on them are no way to sample light: the variance near corners is infinite.
     Level("furnace", SOURCE / "tests" / "data", variables=(("pt_nee", "brute"),)),
     *(Level(name, SOURCE) for name in ("warehouse", "mine", "gallery", "yard", "room")),
+    # Under the hole in the roof, where the sun shines in; with its disc, and as a point.
+    Level("mine_sun", SOURCE, view=(700, 466, 62, 0, 36, 0), map="mine"),
+    Level("mine_point", SOURCE, view=(700, 466, 62, 0, 36, 0), variables=(("pt_sun_size", 0),), map="mine"),
     Level("e3m6", SHARED), Level("e1m1", SHARED)]}
 
 
@@ -139,8 +143,9 @@ def row(name, result, paths, seconds):
 def check(name, options):
     """True if the level agrees, False if not, None if it is not here."""
     level, folder, start = LEVELS[name], options.out / name, time.monotonic()
-    if not (level.basedir / "baseq2" / "maps" / f"{name}.bsp").is_file():
-        print("%-10s skipped: there is no %s/baseq2/maps/%s.bsp" % (name, level.basedir.name, name), flush=True)
+    bsp = Path("baseq2") / "maps" / f"{level.map or name}.bsp"
+    if not (level.basedir / bsp).is_file():
+        print("%-10s skipped: there is no %s/%s" % (name, level.basedir.name, bsp), flush=True)
         return None
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

@@ -9,7 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 # Most translucent layers that one ray may cross.
-LAYERS = 16
+LAYERS = 64
 # How far in front of a lamp something must be to shadow it: relative to the distance, and in map units.
 SHADOW_GAP = (1e-4, 2e-3)
 

@@ -20,7 +20,7 @@ def run(vigil, level, folder, width, height, batches, seed, frames, spp, extra):
                "+set", "vid_width", str(width), "+set", "vid_height", str(height), "+set", "pt_spp", str(spp)]
     for name, value in [*SETTINGS.items(), *extra]:
         command += ["+set", name, str(value)]
-    command += ["+map", level.name]
+    command += ["+map", level.map or level.name]
     if level.view:
         command += ["+noclip", "+setviewpos", *map(str, level.view)]
     command += ["+wait", "1", "+exportscene", f"{level.name}.gltf", "+set", "pt_accumulate", "1"]
