@@ -4,6 +4,7 @@
 #include "bench/quality_estimate.h"
 #include "common/error.h"
 #include "console/cvar.h"
+#include "console/preset.h"
 #include "shared/techniques.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +22,8 @@ namespace vigil::bench {
 
 namespace {
 
-/// Where rays alone find the light (a sun behind a gap), nothing else converges in time.
+/// Where rays alone find light (pt_env_nee 0, and a sun behind a gap), nothing else converges in
+/// time.
 const std::string default_reference = "vlc+cdq";
 
 /// CLI11 with what all benchmarks have in common.
@@ -125,6 +127,15 @@ std::vector<QualityRow> technique_rows() {
     return rows;
 }
 
+QualityRow preset_row(std::string_view name) {
+    const Preset* preset = find_preset(name);
+    if (preset == nullptr) fail("{}: no such preset; pt_preset at the console lists them", name);
+    QualityRow row{fmt::format("preset {}", name), {}};
+    for (const PresetSetting& setting : preset->settings)
+        row.settings.push_back({std::string(setting.variable), setting.value});
+    return row;
+}
+
 std::vector<QualityRow> ring_rows(std::span<const int> bits) {
     std::vector<QualityRow> rows;
     for (const int size : bits)
@@ -178,7 +189,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
     parser.add_option("--part", options.parts, "only parts whose names begin so");
     parser.add_option("--json", options.json, "the report; without it NAME.json below outdir");
     parser.add_basedirs(options.basedirs);
-    std::vector<std::string> techniques, variants;
+    std::vector<std::string> techniques, variants, presets;
     bool shared = false;
     if (turns) {
         parser.add_count("--settle", options.settle, 1, 10000, "frames before the turn");
@@ -194,6 +205,7 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
                          "seed of the first repeat");
         parser.add_count("--warmup", options.warmup, 0, 900, "frames before the measured ones");
         parser.add_option("--technique", techniques, "a row: NAME, or NAME+cdq with guided rays");
+        parser.add_option("--preset", presets, "one more row: what pt_preset NAME sets");
         parser.add_option("--variant", variants, "one more row: LABEL:NAME=VALUE,...");
         parser.add_option("--baseline", options.baseline, "the row that ratios are relative to");
         parser.add_option("--reference", options.reference.label,
@@ -211,11 +223,10 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
         fail("--frames {}: a curve needs more than {}", options.frames, settled_tail);
     for (const auto& [name, value] : settings)
         options.settings.push_back(setting_of("--set", name, value));
-    // Light that no technique samples is not for the floor to explain.
+    // The light of the first hit alone, all of it by lights: the floor is that of choosing them.
     if (options.floor)
-        options.settings.insert(
-            options.settings.begin(),
-            {{"pt_bounces", "0"}, {"pt_sky_scale", "0"}, {"pt_sun_scale", "0"}});
+        options.settings.insert(options.settings.begin(),
+                                {{"pt_bounces", "0"}, {"pt_env_nee", "1"}});
     if (shared) {
         if (parser.count("--level") == 0) options.levels.clear();
         options.levels.insert(options.levels.end(),
@@ -224,6 +235,10 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
     if (turns) options.rows = ring_rows(options.bits);
     if (!techniques.empty()) options.rows.clear();
     std::ranges::transform(techniques, std::back_inserter(options.rows), technique_row);
+    for (const std::string& name : presets) {
+        const QualityRow row = preset_row(name);
+        if (!has_row(options, row.label)) options.rows.push_back(row);
+    }
     std::ranges::transform(variants, std::back_inserter(options.rows), parse_variant);
     complete(options);
     return options;

@@ -105,6 +105,10 @@ std::vector<QualityRow> technique_rows(std::initializer_list<std::string_view> n
 /// One row per technique, in the order of shaders/shared/techniques.h, without `brute`.
 std::vector<QualityRow> technique_rows();
 
+/// The row `preset NAME`, with the variables of pt_preset NAME. Throws Error when there is no such
+/// preset.
+QualityRow preset_row(std::string_view name);
+
 /// One row per size of quadtree, bits, and one with rays drawn by the BRDF alone, the last.
 std::vector<QualityRow> ring_rows(std::span<const int> bits);
 

@@ -24,7 +24,7 @@ struct LevelWarmup {
     int frames;
 };
 constexpr LevelWarmup level_warmups[] = {
-    // Few rays meet their sun.
+    // Few rays meet their sun, where they have to (pt_env_nee 0).
     {"mine", 64},
     {"yard", 64},
     {"room", 64},
@@ -93,6 +93,7 @@ Plan quality_plan(std::span<const std::string> arguments) {
     // The paper's figure 8 has these with both kinds of rays.
     std::ranges::move(technique_rows({"sll+cdq", "lh+cdq", "vlc+cdq"}),
                       std::back_inserter(options.rows));
+    options.rows.push_back(preset_row("paper"));
     Plan plan{"quality", parse_quality_options(arguments, {options, quick(options)}), {}};
     plan.parts = level_parts(plan.options);
     warm_up_quadtrees(plan, arguments);

@@ -28,6 +28,8 @@ struct Sweep {
 const std::vector<Sweep>& sweeps() {
     static const std::vector<Sweep> table = {
         {"pt_spp", "vlc", {"2", "4"}},
+        {"pt_env_nee", "vlc+cdq", {"0"}},
+        {"pt_sky_lights", "vlc", {"16", "256"}},
         {"pt_light_points", "vlc", {"1", "2", "4", "16"}},
         {"pt_light_density", "vlc", {"area", "solid_angle"}},
         {"pt_sll_max", "sll", {"8", "16", "64", "256"}},
@@ -71,11 +73,8 @@ QualityRow sweep_row(const Sweep& sweep, std::string_view value) {
 
 std::vector<QualityRow> preset_rows() {
     std::vector<QualityRow> rows;
-    for (const Preset& preset : presets()) {
-        QualityRow& row = rows.emplace_back(QualityRow{fmt::format("preset {}", preset.name), {}});
-        for (const PresetSetting& setting : preset.settings)
-            row.settings.push_back({std::string(setting.variable), std::string(setting.value)});
-    }
+    for (const Preset& preset : presets())
+        rows.push_back(preset_row(preset.name));
     return rows;
 }
 

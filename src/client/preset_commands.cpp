@@ -6,7 +6,6 @@
 #include "console/arguments.h"
 #include "console/preset.h"
 
-#include <algorithm>
 #include <fmt/ranges.h>
 
 namespace vigil::client {
@@ -33,8 +32,8 @@ void list_presets(const CvarRegistry& variables) {
 
 void set_preset(Client& client, CommandArguments arguments) {
     if (arguments.empty()) return list_presets(client.commands().variables());
-    const auto preset = std::ranges::find(presets(), arguments[0], &Preset::name);
-    if (preset == presets().end())
+    const Preset* preset = find_preset(arguments[0]);
+    if (preset == nullptr)
         fail("there is no preset \"{}\"; there are {}", arguments[0],
              fmt::join(preset_names(), ", "));
     for (const PresetSetting& setting : preset->settings)
@@ -46,7 +45,9 @@ void set_preset(Client& client, CommandArguments arguments) {
 void add_preset_commands(Client& client) {
     add_commands(
         client,
-        {{"pt_preset", "[NAME]: speed against accuracy: fast, balanced or accurate; alone, a list",
+        {{"pt_preset",
+          "[NAME]: the paper as it stands, or speed against accuracy: paper, fast, balanced or "
+          "accurate; alone, a list",
           set_preset, [](const Client&) { return preset_names(); }}});
 }
 

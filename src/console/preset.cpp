@@ -2,22 +2,61 @@
 #include "console/preset.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vigil {
 
+namespace {
+
+/// A variable by which the defaults differ from the paper, and the paper's value.
+struct Departure {
+    std::string_view variable;
+    std::string_view paper;
+};
+constexpr Departure departures[] = {
+    {"pt_env_nee", "0"},          // section 7.1: next event estimation knows no environment maps
+    {"pt_light_points", "1"},     // section 7: plain area sampling
+    {"pt_light_density", "area"}, // the same
+    {"pt_vlc_explore", "0.1"},    // section 7
+    {"pt_vlc_adapt", "0"},        // section 8: a fixed fraction
+    {"pt_vlc_persist", "0"},      // section 4.1: caches of one frame
+    {"pt_explore_local", "0"},    // section 4.3: one distribution for all places
+    {"pt_cdq_margin", "0.1"},     // section 5.1
+    {"pt_cdq_rays", "0"},         // section 5.1: the samples of a leaf in the frame before
+    {"pt_cdq_migrations", "1"},   // section 5.1
+};
+
+/// `settings`, and the departures from the paper that they leave open: off, or at their defaults.
+Preset make_preset(std::string_view name, std::string_view purpose,
+                   std::vector<PresetSetting> settings, bool paper = false) {
+    for (const auto& [variable, value] : departures)
+        if (std::ranges::find(settings, variable, &PresetSetting::variable) == settings.end())
+            settings.push_back(
+                {variable, paper ? std::string(value) : cvar_default_text(*find_cvar(variable))});
+    return {name, purpose, std::move(settings)};
+}
+
+} // namespace
+
 std::span<const Preset> presets() {
     static const std::vector<Preset> table = {
-        {"fast",
-         "less time for a frame; noisy where only guided rays find the light",
-         {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "4"}}},
-        {"balanced",
-         "the defaults: little noise everywhere, for one path a pixel",
-         {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}, {"pt_light_points", "8"}}},
-        {"accurate",
-         "the least noise; frames take several times as long",
-         {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "4"}, {"pt_light_points", "16"}}},
+        make_preset("paper", "as the paper has it: every departure from it is off",
+                    {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}}, true),
+        make_preset(
+            "fast", "less time for a frame; noisy where only guided rays find the light",
+            {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "4"}}),
+        make_preset("balanced", "the defaults: little noise everywhere, for one path a pixel",
+                    {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}}),
+        make_preset(
+            "accurate", "the least noise; frames take several times as long",
+            {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "4"}, {"pt_light_points", "16"}}),
     };
     return table;
+}
+
+const Preset* find_preset(std::string_view name) {
+    const auto preset = std::ranges::find(presets(), name, &Preset::name);
+    return preset != presets().end() ? &*preset : nullptr;
 }
 
 const Preset* present_preset(const CvarRegistry& variables) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Presets: a few choices of speed against accuracy, so that nobody must know a variable. Each is a
-// row of `run bench trade`; docs/trade.md has what it measured.
+// Presets: the paper as it stands, and a few choices of speed against accuracy, so that nobody must
+// know a variable. Each is a row of `run bench trade`; docs/trade.md has what it measured.
 #pragma once
 
 #include "console/cvar.h"
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace vigil {
 
 struct PresetSetting {
     std::string_view variable;
-    std::string_view value;
+    std::string value;
 };
 
 struct Preset {
@@ -23,8 +24,11 @@ struct Preset {
     std::vector<PresetSetting> settings;
 };
 
-/// From the fastest on.
+/// The paper's, then from the fastest on.
 std::span<const Preset> presets();
+
+/// The preset of this name, or null.
+const Preset* find_preset(std::string_view name);
 
 /// The preset whose variables have just these values, or null.
 const Preset* present_preset(const CvarRegistry& variables);

@@ -20,8 +20,7 @@ protected:
     void show(const LightScene& scene) {
         load(scene.level, scene.edit);
         set_size(scene.size.x, scene.size.y);
-        for (const char* off : {"pt_bounces", "pt_sky_scale", "pt_sun_scale"})
-            set(off, "0");
+        set("pt_bounces", "0");
         shot_ = scene.shot;
     }
 
@@ -97,6 +96,28 @@ TEST_F(LightFloorTest, IsBelowEveryTechnique) {
             if (info.name == "uniform") {
                 EXPECT_LT(least.variance, 0.5 * measured.variance) << name;
             }
+        }
+        std::cout << '\n';
+    }
+}
+
+TEST_F(LightFloorTest, IsBelowTechniquesUnderTheSky) {
+    // Windows to the sky and the sun, which is small or a point, are lights as others are.
+    for (const char* size : {"1", "0"}) {
+        LightScene scene;
+        scene.level = "opensky";
+        scene.shot.view = {{-192, -64, 56}, {0, 20, 0}, 90};
+        scene.shot.dynamic_lights = {{1, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
+        show(scene);
+        set("pt_sun_size", size);
+        const bench::LightFloor least = floor(256);
+        EXPECT_GT(least.variance, 0.0);
+        std::cout << fmt::format("sun of {} degrees: floor {:.3g} ({:.3g}, {:.3g})", size,
+                                 least.variance, least.halves[0], least.halves[1]);
+        for (const char* technique : {"sll", "lh", "ris"}) { // by lists, by a tree, by a table
+            const Noise measured = noise(technique, 60);
+            std::cout << fmt::format(", {} {:.3g}", technique, measured.variance);
+            EXPECT_LT(least.variance, 1.02 * measured.variance) << technique;
         }
         std::cout << '\n';
     }

@@ -234,6 +234,41 @@ TEST(Presets, SetTheSameVariablesAndAreTold) {
     }
 }
 
+TEST(Presets, PaperDepartsFromTheDefaultsAndOthersDoNot) {
+    // What the paper says in numbers.
+    const std::map<std::string, std::string, std::less<>> paper = {
+        {"pt_nee", "vlc"},         {"pt_guide", "cdq"},      {"pt_spp", "1"},
+        {"pt_env_nee", "0"},       {"pt_light_points", "1"}, {"pt_light_density", "area"},
+        {"pt_vlc_explore", "0.1"}, {"pt_vlc_adapt", "0"},    {"pt_vlc_persist", "0"},
+        {"pt_explore_local", "0"}, {"pt_cdq_margin", "0.1"}, {"pt_cdq_rays", "0"},
+        {"pt_cdq_migrations", "1"}};
+    std::map<std::string, std::string, std::less<>> set;
+    for (const PresetSetting& setting : find_preset("paper")->settings)
+        set.emplace(setting.variable, setting.value);
+    EXPECT_EQ(set, paper);
+    for (const PresetSetting& setting : find_preset("balanced")->settings)
+        EXPECT_EQ(setting.value, cvar_default_text(*find_cvar(setting.variable)))
+            << setting.variable;
+    EXPECT_EQ(find_preset("theirs"), nullptr);
+}
+
+TEST(Presets, AreRowsOfMeasurements) {
+    const QualityRow row = preset_row("paper");
+    EXPECT_EQ(row.label, "preset paper");
+    EXPECT_TRUE(is_guided(row));
+    EXPECT_EQ(row.settings.size(), find_preset("paper")->settings.size());
+    EXPECT_THROW(preset_row("theirs"), Error);
+    const auto labels = [](const Words& words) {
+        std::set<std::string> result;
+        for (const QualityRow& one : quality_plan(words).options.rows)
+            result.insert(one.label);
+        return result;
+    };
+    EXPECT_TRUE(labels({}).contains("preset paper"));
+    EXPECT_EQ(labels({"--technique", "sll", "--preset", "fast", "--preset", "paper"}),
+              (std::set<std::string>{"sll", "preset fast", "preset paper"}));
+}
+
 TEST(Checkpoint, GoesOnWithWhatAnInterruptionLeft) {
     const test::ScratchFolder folder;
     const std::filesystem::path path = folder.path() / "report.json";

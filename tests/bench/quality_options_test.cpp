@@ -96,7 +96,7 @@ TEST(QualityOptions, FloorIsAboutDirectLightUnlessSaidOtherwise) {
     const QualityOptions options = parse({"--set", "pt_bounces", "1", "--floor"});
     EXPECT_TRUE(options.floor);
     // Later settings win.
-    ASSERT_EQ(options.settings.size(), 4u);
+    ASSERT_EQ(options.settings.size(), 3u);
     EXPECT_EQ(options.settings.front().name, "pt_bounces");
     EXPECT_EQ(options.settings.front().value, "0");
     EXPECT_EQ(options.settings.back().value, "1");

@@ -4,6 +4,7 @@
 #include "client/ui/menu_items.h"
 #include "client/ui_screen.h"
 #include "console/builtin_commands.h"
+#include "console/preset.h"
 
 #include <gtest/gtest.h>
 
@@ -108,9 +109,18 @@ TEST_F(MenuTest, StepsThroughPresetsAndResolutions) {
     EXPECT_EQ(size_row({1000, 700}).less, "resolution 960 540");
     EXPECT_EQ(size_row({1000, 700}).more, "resolution 1280 720");
     EXPECT_EQ(size_row({3840, 2160}).more, "resolution 3840 2160");
-    choose("Quality"); // of one's own
-    variables_.set("pt_spp", "3");
+    choose("Quality");
+    press(Key::Left, 2); // nothing was set: still from the defaults
+    EXPECT_EQ(ran_.back(), "pt_preset fast");
+    for (const PresetSetting& setting : find_preset("paper")->settings)
+        variables_.set(setting.variable, setting.value);
+    EXPECT_EQ(chosen().value, "paper");
+    press(Key::Left); // round to the last
+    EXPECT_EQ(ran_.back(), "pt_preset accurate");
+    variables_.set("pt_spp", "3"); // of one's own
     EXPECT_EQ(chosen().value, "own");
+    press(Key::Right);
+    EXPECT_EQ(ran_.back(), "pt_preset paper");
     press(Key::Left);
     EXPECT_EQ(ran_.back(), "pt_preset accurate");
 }

@@ -247,6 +247,17 @@ TEST(SceneExport, SunShinesFromItsDirection) {
     EXPECT_FLOAT_EQ(json["scenes"][0]["extras"]["vigil_sky"]["radiance"][2], 0.3f);
 }
 
+TEST(SceneExport, SunMayBeAPoint) {
+    const ExportFolder folder;
+    ExportScene scene = small_scene();
+    scene.sun->angular_diameter = 0.0f;
+    write_gltf(scene, folder / "room.gltf");
+    const Json light =
+        read_json(folder / "room.gltf")["extensions"]["KHR_lights_punctual"]["lights"][0];
+    EXPECT_EQ(light["extras"]["angular_diameter_degrees"], 0.0f);
+    EXPECT_FLOAT_EQ(light["intensity"], 4.0f); // irradiance: the same for every angle
+}
+
 TEST(SceneExport, SkyFacesArePlacedByNoNode) {
     const ExportFolder folder;
     ExportScene scene = small_scene();

@@ -37,6 +37,7 @@ constexpr std::string_view others[] = {"guidingreset",
                                        "scene",
                                        "viewnext",
                                        "view none",
+                                       "pt_preset paper",
                                        "pt_preset fast",
                                        "pt_preset balanced",
                                        "pt_preset accurate; pt_spp 1"};

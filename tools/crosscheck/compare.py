@@ -33,6 +33,7 @@ class Level:
     basedir: Path
     view: tuple = ()  # x y z pitch yaw roll; none: where the player starts
     variables: tuple = ()  # pairs
+    map: str = ""  # none: the name
 
 
 LEVELS = {level.name: level for level in [
@@ -40,6 +41,9 @@ LEVELS = {level.name: level for level in [
     # Where all walls shine, points on them are no way to sample light: the variance near corners is infinite.
     Level("furnace", SOURCE / "tests" / "data", variables=(("pt_nee", "brute"),)),
     *(Level(name, SOURCE) for name in ("warehouse", "mine", "gallery", "yard", "room")),
+    # Under the hole in the roof, where the sun shines in; with its disc, and as a point.
+    Level("mine_sun", SOURCE, view=(700, 466, 62, 0, 36, 0), map="mine"),
+    Level("mine_point", SOURCE, view=(700, 466, 62, 0, 36, 0), variables=(("pt_sun_size", 0),), map="mine"),
     Level("e3m6", SHARED), Level("e1m1", SHARED)]}
 
 
@@ -82,7 +86,7 @@ def works(variant):
 
 
 def needs_short_paths(scene):
-    return len(scene.sky_faces) > 0 or any(s.material.f0 > 0 or s.material.coverage < 1 for s in scene.surfaces)
+    return len(scene.sky_faces) > 0 or scene.sun_irradiance is not None or any(s.material.f0 > 0 or s.material.coverage < 1 for s in scene.surfaces)
 
 
 def render(exported, folder, options):
@@ -92,8 +96,8 @@ def render(exported, folder, options):
     width, height = options.size
     for surface in exported.surfaces:
         surface.material.radiance = options.spoil * surface.material.radiance
-    scene, materials = mitsuba_scene.build(exported, folder, width, height, options.exact_texels)
     short = options.integrator == "short" or (options.integrator == "auto" and needs_short_paths(exported))
+    scene, materials = mitsuba_scene.build(exported, folder, width, height, options.exact_texels, sun=not short)
     pictures = []
     seeds = range(1000 * options.seed, 1000 * options.seed + options.batches)
     if short:
@@ -139,8 +143,9 @@ def row(name, result, paths, seconds):
 def check(name, options):
     """True if the level agrees, False if not, None if it is not here."""
     level, folder, start = LEVELS[name], options.out / name, time.monotonic()
-    if not (level.basedir / "baseq2" / "maps" / f"{name}.bsp").is_file():
-        print("%-10s skipped: there is no %s/baseq2/maps/%s.bsp" % (name, level.basedir.name, name), flush=True)
+    bsp = Path("baseq2") / "maps" / f"{level.map or name}.bsp"
+    if not (level.basedir / bsp).is_file():
+        print("%-10s skipped: there is no %s/%s" % (name, level.basedir.name, bsp), flush=True)
         return None
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An exported scene as a Mitsuba scene: one mesh per material, uniform area lights, sky and sun as one environment map.
+"""An exported scene as a Mitsuba scene: one mesh per material, uniform area lights, the sky (with the sun, if asked) as one environment map.
 Surfaces have one side and no normals of their own, as Vigil's. Call after mitsuba.set_variant."""
 
 import mitsuba as mi
@@ -45,15 +45,15 @@ def mesh(surface, name, folder):
     return {"type": "ply", "filename": str(path), "face_normals": True, "flip_tex_coords": False}
 
 
-def environment(scene):
+def environment(scene, sun):
     """Mitsuba's panorama has +z in its middle and -x to the right of it; Vigil's +x and +z: a quarter turn."""
-    if scene.sky_panorama is None and scene.sun_irradiance is None:
+    if scene.sky_panorama is None and not sun:
         return {"type": "constant", "radiance": {"type": "rgb", "value": [float(c) for c in scene.sky_radiance]}}
     picture = None
     if scene.sky_panorama is not None:
         picture = np.array(mi.Bitmap(str(scene.sky_panorama)).convert(
             mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float32, False), dtype=np.float64)
-    return {"type": "envmap", "bitmap": mi.Bitmap(panorama.make(scene, picture).astype(np.float32)),
+    return {"type": "envmap", "bitmap": mi.Bitmap(panorama.make(scene, picture, sun).astype(np.float32)),
             "to_world": mi.ScalarTransform4f().rotate([0, 1, 0], 90)}
 
 
@@ -70,9 +70,10 @@ def camera(scene, width, height):
             "sampler": {"type": "independent"}}
 
 
-def build(scene, folder, width, height, exact_texels=False):
+def build(scene, folder, width, height, exact_texels=False, sun=True):
     """Returns the Mitsuba scene and, per shape name, the material (None: a face that shows the sky). Files go to
-    `folder`, which exists."""
+    `folder`, which exists. `sun`: the panorama shows it."""
+    sun = sun and scene.sun_irradiance is not None
     description = {"type": "scene", "sensor": camera(scene, width, height)}
     materials = {}
     for index, surface in enumerate(scene.surfaces):
@@ -88,6 +89,6 @@ def build(scene, folder, width, height, exact_texels=False):
         faces = type("SkyFaces", (), {"corners": scene.sky_faces, "uvs": np.zeros((len(scene.sky_faces), 3, 2))})
         description["sky_faces"] = mesh(faces, "sky_faces", folder)
         materials["sky_faces"] = None
-    if scene.sky_panorama or scene.sky_radiance is not None or scene.sun_irradiance is not None:
-        description["sky"] = environment(scene)
+    if scene.sky_panorama or scene.sky_radiance is not None or sun:
+        description["sky"] = environment(scene, sun)
     return mi.load_dict(description), materials

@@ -25,7 +25,7 @@ def resample(picture, u, v):
             fy * ((1 - fx) * picture[y1, x0] + fx * picture[y1, x1]))
 
 
-def make(scene, picture):
+def make(scene, picture, sun=True):
     """(HEIGHT, WIDTH, 3) radiance; rows at v = row / (HEIGHT - 1), as `envmap` has them, columns at their centres."""
     row, column = np.mgrid[0:HEIGHT, 0:WIDTH].astype(float)
     u, v = (column + 0.5) / WIDTH, row / (HEIGHT - 1)
@@ -34,8 +34,10 @@ def make(scene, picture):
     else:
         flat = scene.sky_radiance if scene.sky_radiance is not None else np.zeros(3)
         sky = np.broadcast_to(flat, (HEIGHT, WIDTH, 3)).copy()
-    if scene.sun_irradiance is None:
+    if not sun or scene.sun_irradiance is None:
         return sky
+    if not scene.sun_diameter > 0:
+        raise ValueError("a panorama cannot show a sun without extent")
     # A disc of half angle a and radiance L lights a surface that faces it with pi sin(a)^2 L.
     half = np.radians(scene.sun_diameter / 2)
     radiance = scene.sun_irradiance / (np.pi * np.sin(half)**2)

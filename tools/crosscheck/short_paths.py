@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Vigil's paths for what Mitsuba's own `path` cannot be told: gloss at the first hit alone, surfaces that let through a
-share of the rays from the front and all from behind, and faces that are a window to the sky whatever lies behind them.
-Rays, textures, emitters, their sampling and the microfacet distribution are Mitsuba's; the choice between light and BRDF
+share of the rays from the front and all from behind, faces that are a window to the sky whatever lies behind them, and a sun too
+small for a panorama. Rays, textures, emitters, their sampling and the microfacet distribution are Mitsuba's; the choice between light and BRDF
 samples is by multiple importance sampling, which Vigil does not do. Needs a vectorised variant."""
 
 import drjit as dr
@@ -9,7 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 # Most translucent layers that one ray may cross.
-LAYERS = 16
+LAYERS = 64
 # How far in front of a lamp something must be to shadow it: relative to the distance, and in map units.
 SHADOW_GAP = (1e-4, 2e-3)
 
@@ -25,6 +25,7 @@ class Tracer:
     def __init__(self, scene, exported, materials):
         self.scene = scene
         self.sky = scene.environment()
+        self.sun = Sun(exported) if exported.sun_irradiance is not None else None
         # Tables by the number that a shape pointer holds.
         shapes = scene.shapes()
         numbers = [int(dr.reinterpret_array(mi.UInt32, mi.ShapePtr(shape))[0]) for shape in shapes]
@@ -136,8 +137,14 @@ class Tracer:
         lamp = found & (si.emitter(self.scene) != None)  # noqa: E711 (an array of pointers)
         value = dr.select(lamp, si.emitter(self.scene).eval(si, lamp), 0)
         value = dr.select(sky, self.sky_radiance(ray.d, sky), value)
+        shines, sun_share = mi.Bool(False), mi.Float(1)
+        if self.sun is not None:
+            shines = active & sky & self.sun.in_disc(ray.d)
+            if ref is not None:
+                sun_share = brdf_pdf / (brdf_pdf + self.sun.pdf)
+        sun = dr.select(shines, sun_share * self.sun.radiance, 0) if self.sun is not None else mi.Color3f(0)
         if ref is None:
-            return dr.select(active, value, 0)
+            return dr.select(active, value, 0) + sun
         pdf = mi.Float(0)
         if self.lamp_count:
             index = dr.gather(mi.UInt32, self.first_lamp, dr.reinterpret_array(mi.UInt32, si.shape), lamp) + si.prim_index
@@ -146,7 +153,18 @@ class Tracer:
             ds = dr.zeros(mi.DirectionSample3f, dr.width(ray.d))
             ds.d = ray.d
             pdf = dr.select(sky, self.sky_share * self.sky.pdf_direction(ref, ds, sky), pdf)
-        return dr.select(active & (brdf_pdf > 0), value * brdf_pdf / (brdf_pdf + pdf), 0)
+        return dr.select(active & (brdf_pdf > 0), value * brdf_pdf / (brdf_pdf + pdf) + sun, 0)
+
+    def lit_by_sun(self, si, brdf, sampler, throughput, active):
+        """Next event estimation of the sun, one ray more: a point of it from anywhere on its disc."""
+        if self.sun is None:
+            return mi.Color3f(0)
+        direction = self.sun.direction_at(sampler.next_2d())
+        value, brdf_pdf = brdf.evaluate(si.to_local(direction), active)
+        active = active & (dr.max(value) > 0)
+        _, _, sky = self.stop(si.spawn_ray(direction), sampler, active)
+        share = 1 / (1 + brdf_pdf * self.sun.solid_angle)  # against rays that meet the disc
+        return throughput * dr.select(active & sky, value * self.sun.flux * share, 0)
 
     def lit_by_lights(self, si, brdf, sampler, throughput, active):
         """Next event estimation: the sky or a lamp, one point, one ray."""
@@ -197,6 +215,7 @@ class Tracer:
             else:
                 brdf = LambertianBrdf(albedo)
             result += self.lit_by_lights(si, brdf, sampler, throughput, active)
+            result += self.lit_by_sun(si, brdf, sampler, throughput, active)
             local = brdf.sample(sampler)
             value, pdf = brdf.evaluate(local, active)
             active = active & (pdf > 0)
@@ -217,6 +236,32 @@ class Tracer:
         value = self.radiance(mi.Ray3f(ray.o, ray.d), sampler)
         columns = np.array(value).reshape(3, -1) if np.array(value).shape[0] == 3 else np.array(value).T
         return columns.reshape(3, height, width, spp).astype(np.float64).mean(-1).transpose(1, 2, 0)
+
+
+class Sun:
+    """A cone of directions, evenly bright; with an angle of 0 it is a direction, which no ray meets."""
+
+    def __init__(self, exported):
+        half = np.radians(exported.sun_diameter) / 2
+        towards = np.asarray(exported.sun_direction, float)
+        self.towards = mi.Vector3f(list(map(float, towards)))
+        self.frame = mi.Frame3f(self.towards)
+        self.height = float(2 * np.sin(half / 2)**2)  # of the cap: 1 - cos
+        self.solid_angle = 2 * np.pi * self.height
+        # A disc of radiance L lights a surface that faces it with pi sin(half)^2 L.
+        irradiance = np.asarray(exported.sun_irradiance, float)
+        self.flux = mi.Color3f(list(map(float, irradiance * 2 / (1 + np.cos(half)))))
+        self.pdf = 1 / self.solid_angle if half > 0 else 0.0
+        self.radiance = self.flux * self.pdf
+
+    def in_disc(self, direction):
+        """By the chord: the cosine of a small angle has no digits left."""
+        return dr.squared_norm(direction - self.towards) < 2 * self.height
+
+    def direction_at(self, place):
+        fall, turn = place.x * self.height, 2 * dr.pi * place.y
+        out = dr.sqrt(fall * (2 - fall))
+        return dr.normalize(self.frame.to_world(mi.Vector3f(out * dr.cos(turn), out * dr.sin(turn), 1 - fall)))
 
 
 class LambertianBrdf:

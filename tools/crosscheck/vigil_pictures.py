@@ -3,10 +3,10 @@
 
 import subprocess
 
-# What must be the same on both sides: uniform lamps, steady styles, rays spread over each pixel, textures without mip levels. The sun is wider than in
-# play, or next to no path of either side would find it; its irradiance does not depend on its size.
+# What must be the same on both sides: uniform lamps, steady styles, rays spread over each pixel, textures without mip levels. The sun has the
+# level's own size.
 SETTINGS = {"vid_driver": "headless", "pt_emissive_texture": 0, "pt_light_styles": 0, "pt_jitter": 1,
-            "pt_texture_filter": "full", "pt_sun_size": 20, "pt_bounces": 1}
+            "pt_texture_filter": "full", "pt_bounces": 1}
 
 
 class VigilFailed(Exception):
@@ -20,7 +20,7 @@ def run(vigil, level, folder, width, height, batches, seed, frames, spp, extra):
                "+set", "vid_width", str(width), "+set", "vid_height", str(height), "+set", "pt_spp", str(spp)]
     for name, value in [*SETTINGS.items(), *extra]:
         command += ["+set", name, str(value)]
-    command += ["+map", level.name]
+    command += ["+map", level.map or level.name]
     if level.view:
         command += ["+noclip", "+setviewpos", *map(str, level.view)]
     command += ["+wait", "1", "+exportscene", f"{level.name}.gltf", "+set", "pt_accumulate", "1"]

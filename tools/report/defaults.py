@@ -35,9 +35,9 @@ Of so many values some look better by luck. A value whose *mean* and *plain* are
 It counts as better if both are below 1 again, if at some level its typical run is better by more than chance (among all that was measured again: Holm, 5%), and at none worse.
 A default that is not the better value has its reason below the table; the tool checks the reason against the reports.
 
-One thing this does not show. In `mine` most of the light is the sun's, which only guided rays find: where frames of a row, or of what it is compared with, have less light than the reference, errors tell
-nothing and there is a question mark ([quality.md](quality.md), *Rare paths*); that quadtrees find the sun there, and the levels where the sky comes in through openings, decided for `pt_guide cdq`
-([results/guiding.md](results/guiding.md)).
+One thing this does not show. In `mine` most of the light is the sun's. Where rays alone find it (`pt_env_nee 0`, and all reports from before sky and sun were lights), frames may have less light than the
+reference: errors tell nothing then, and there is a question mark ([quality.md](quality.md), *Rare paths*). That quadtrees find the sun there, and the levels where the sky comes in through openings, decided for
+`pt_guide cdq` ([results/guiding.md](results/guiding.md)).
 
 Half against full precision is not among them: no cache stores the same thing in both, so there is nothing to turn (what is stored in fewer bits, and with which error, is in
 [numerics.md](numerics.md)).
