@@ -231,11 +231,12 @@ void clear_court(Level& level) {
             info->flags |= SURF_NODRAW;
 }
 
-/// Whether all batches are the same but for rounding.
+/// Whether noise is so little that there is nothing for statistics to judge.
 bool has_no_noise(const PictureBatches& seen) {
     for (size_t batch = 1; batch < seen.batches(); ++batch)
         for (size_t i = 0; i < 3 * seen.blocks(); ++i)
-            if (std::abs(seen.value(batch, i % 3, i / 3) / seen.value(0, i % 3, i / 3) - 1.0) > 1e-5)
+            if (std::abs(seen.value(batch, i % 3, i / 3) / seen.value(0, i % 3, i / 3) - 1.0) >
+                3e-4)
                 return false;
     return true;
 }
@@ -301,7 +302,7 @@ TEST_F(Analytic, SunOverACourt) {
             const std::string label = fmt::format("sun {:3} {:7}", size, info.name);
             if (has_no_noise(seen)) {
                 for (size_t i = 0; i < expected.size(); ++i)
-                    EXPECT_NEAR(seen.value(0, i % 3, i / 3) / expected[i], 1.0, 1e-4) << label;
+                    EXPECT_NEAR(seen.mean(i % 3, i / 3) / expected[i], 1.0, 3e-4) << label;
                 std::cout << label << ": without noise\n";
                 continue;
             }

@@ -285,20 +285,24 @@ LightScene court(std::string name, const Entries& entries) {
             level.bsp.entities[0].set(key, value);
     };
     scene.shot.view = {{-192, -64, 56}, {10, 20, 0}, 90};
+    scene.size = {16, 12}; // there are many of them
+    scene.bounds = {0.1, 0.2, 0.6};
     return scene;
 }
 
 LightScene sky_and_sun() {
     LightScene scene = court("SkyAndSun", {});
+    scene.size = {24, 16};
     scene.shot.dynamic_lights = {{7, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
     return scene;
 }
 
 LightScene black_sky_and_point_sun() {
-    LightScene scene = court("BlackSkyAndPointSun",
-                             {{"sky", ""}, {"_sky_color", "0 0 0"}, {"_sun_angle", "0"}});
-    scene.extreme = "a sun of angle 0 in a black sky";
-    scene.spread = false; // there is nothing but the sun
+    LightScene scene =
+        court("BlackSkyAndPointSun", {{"sky", ""}, {"_sky_color", "0 0 0"}, {"_sun_angle", "0"}});
+    scene.shot.dynamic_lights = {{7, {-60, 40, 60}, 16.0f, {1, 2, 4}}};
+    scene.extreme = "a sun of angle 0 in a black sky, beside a lamp";
+    scene.spread = false; // it is most of the light
     return scene;
 }
 
@@ -340,10 +344,10 @@ LightScene turning_sky() {
 } // namespace
 
 std::vector<LightScene> extreme_light_scenes() {
-    return {many_brightnesses(),  needles_and_specks(),    through_the_floor(),
-            behind_the_roof(),    all_black(),             far_away(),
-            sun_of_180_degrees(), sun_below_the_horizon(), sun_behind_walls(),
-            black_sky(),          turning_sky(),           black_sky_and_point_sun()};
+    return {
+        many_brightnesses(), needles_and_specks(), through_the_floor(),  behind_the_roof(),
+        all_black(),         far_away(),           sun_of_180_degrees(), sun_below_the_horizon(),
+        sun_behind_walls(),  black_sky(),          turning_sky(),        black_sky_and_point_sun()};
 }
 
 std::vector<LightScene> light_scenes() {
