@@ -16,7 +16,7 @@ layout(constant_id = CONSTANT_LIQUID) const bool HAS_LIQUID = true;       // war
 layout(constant_id = CONSTANT_ANIMATION) const bool HAS_ANIMATION = true; // animated textures
 layout(constant_id = CONSTANT_LIGHTS) const bool HAS_LIGHTS = true;
 layout(constant_id = CONSTANT_ENVIRONMENT) const bool HAS_ENVIRONMENT = false; // sky and sun are lights
-layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u; // of what the guider keeps: guiding/guider.glsl
+layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u;        // of what the guider keeps: guiding/guider.glsl
 
 layout(set = SET_SCENE, binding = BINDING_FRAME, scalar) uniform FrameBlock { FrameParams frame; };
 

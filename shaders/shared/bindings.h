@@ -43,8 +43,8 @@
 #define CONSTANT_LIQUID 11    // warping or flowing textures
 #define CONSTANT_ANIMATION 12 // animated textures
 #define CONSTANT_LIGHTS 13
-#define CONSTANT_VIEW 14    // pt_view is on: post/tonemap.comp
-#define CONSTANT_ANY_HIT 15 // of a benchmark: trace/trace_rays.comp
+#define CONSTANT_VIEW 14        // pt_view is on: post/tonemap.comp
+#define CONSTANT_ANY_HIT 15     // of a benchmark: trace/trace_rays.comp
 #define CONSTANT_ENVIRONMENT 16 // sky and sun are sampled as lights: scene/frame.glsl
 
 // Set 1 holds this many storage buffers; which of them a technique has is its business (shaders/light/NAME.glsl).

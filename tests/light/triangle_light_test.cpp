@@ -79,9 +79,10 @@ TEST(TriangleLight, ShinesFromItsFrontOnly) {
 TEST(TriangleLight, ExtremeShapesStayFinite) {
     const vec3 a(1, 2, 3), b(4, 0, 1);
     for (const Light& light :
-         {Light{a, vec3(0), vec3(0), vec3(1), 0}, Light{a, b, b, vec3(1), 0}, Light{a, b, -b, vec3(1), 0},
-          Light{a, 1e-15f * b, vec3(0, 1e-15f, 0), vec3(1), 0}, Light{a, b, b * 1.0001f, vec3(1), 0},
-          Light{a, 1e10f * b, vec3(0, -1e10f, 0), vec3(1), 0}, Light{vec3(0), a, b, vec3(1), 0}}) {
+         {Light{a, vec3(0), vec3(0), vec3(1), 0}, Light{a, b, b, vec3(1), 0},
+          Light{a, b, -b, vec3(1), 0}, Light{a, 1e-15f * b, vec3(0, 1e-15f, 0), vec3(1), 0},
+          Light{a, b, b * 1.0001f, vec3(1), 0}, Light{a, 1e10f * b, vec3(0, -1e10f, 0), vec3(1), 0},
+          Light{vec3(0), a, b, vec3(1), 0}}) {
         for (const float x : {0.0f, 0.3f, 1.0f - 1.0f / 16777216.0f}) {
             const LightSample seen = sample_light(light, vec3(0.0f), vec2(x, 1.0f - x));
             EXPECT_TRUE(std::isfinite(seen.pdf) && seen.pdf >= 0.0f);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The scenes on which every light-sampling technique is tested: one lamp, none, only lamps that
 // cannot shine on what is seen, ten thousand, half of them switched off, lamps in the plane of what
-// they would shine on, lamps that moved, a court under sky and sun. Made in memory: triangles of light are hung into small
-// levels of tests/data.
+// they would shine on, lamps that moved, a court under sky and sun. Made in memory: triangles of
+// light are hung into small levels of tests/data.
 #pragma once
 
 #include "render_test.h"
@@ -36,8 +36,8 @@ std::vector<LightScene> light_scenes();
 
 /// Lights at the extremes: brightnesses from 1e-12 to 1e12 in one room, needles and lamps of a
 /// ten-thousandth of a unit, lamps that stand on the floor and reach through it, lamps behind walls
-/// alone, all switched off, a room at the far end of the coordinates that levels may have, and skies
-/// and suns of every kind.
+/// alone, all switched off, a room at the far end of the coordinates that levels may have, and
+/// skies and suns of every kind.
 std::vector<LightScene> extreme_light_scenes();
 
 /// Hangs triangles of light of this size under the roof of the level `lamp`, turned anyhow.

@@ -35,7 +35,8 @@ std::vector<LightTriangle> static_triangles(const LightSet& lights) {
         triangles.push_back(triangle_of(light, id));
         if (lights.sun_enters(light)) triangles.push_back(triangle_of(light, sun));
     }
-    // Windows that move may let it in anywhere: a triangle in no cluster, below all of them and facing up, is in every list.
+    // Windows that move may let it in anywhere: a triangle in no cluster, below all of them and
+    // facing up, is in every list.
     if (sun != shader::NONE && lights.has_moving_sky()) {
         constexpr float far = 1e6f;
         triangles.push_back({{-far, -far, -far}, {far, -far, -far}, {0.0f, far, -far}, sun});

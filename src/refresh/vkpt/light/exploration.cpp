@@ -24,8 +24,7 @@ bool same_place(const shader::Light& a, const shader::Light& b) {
 /// Power over squared distance: what the light does to a wall beside the camera. Its own size
 /// bounds it.
 float nearness(const shader::Light& light, const glm::vec3& eye) {
-    const glm::vec3 offset =
-        shader::light_from(light, eye).v0 + (light.e1 + light.e2) / 3.0f - eye;
+    const glm::vec3 offset = shader::light_from(light, eye).v0 + (light.e1 + light.e2) / 3.0f - eye;
     return light_power(light) /
            std::max(glm::dot(offset, offset) + shader::light_area(light), 1e-20f);
 }

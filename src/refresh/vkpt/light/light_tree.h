@@ -36,9 +36,9 @@ struct LightTreeNode {
 class LightTree {
 public:
     /// Sorts the lights into a tree whose leaves hold at most `leaf_size` (at least 1). The sun is
-    /// left out, and so are lights that are dark, have no area or are not finite. No path has more than 64 + 17 nodes
-    /// for 100,000 lights (in general, 64 and the logarithm of their number). The same lights give
-    /// the same tree. Memory is kept from call to call.
+    /// left out, and so are lights that are dark, have no area or are not finite. No path has more
+    /// than 64 + 17 nodes for 100,000 lights (in general, 64 and the logarithm of their number).
+    /// The same lights give the same tree. Memory is kept from call to call.
     void build(std::span<const shader::Light> lights, std::uint32_t leaf_size);
 
     std::span<const TreeLight> lights() const { return lights_; }

@@ -99,10 +99,10 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
     const float dim = style < styles_.size() ? styles_[style] : 1.0f;
     light.radiance = source.radiance * tint * (source.coverage * dim * scale_);
     if ((source.flags & shader::LIGHT_SKY) != 0)
-        light.radiance = source.radiance * tint * (source.coverage * environment_.sky_scale) *
-                         (environment_.sky != nullptr
-                              ? environment_.sky->through(-shader::light_normal(light))
-                              : glm::vec3(0.0f));
+        light.radiance =
+            source.radiance * tint * (source.coverage * environment_.sky_scale) *
+            (environment_.sky != nullptr ? environment_.sky->through(-shader::light_normal(light))
+                                         : glm::vec3(0.0f));
     replace(id, light);
 }
 

@@ -31,8 +31,8 @@ constexpr size_t least_particles = 256;
 // How far a shell stands off its model, as in Quake II, in map units.
 constexpr float shell_swell = 4.0f, front_shell_swell = 0.5f;
 
-/// What a level says of its sun by "_sun_angle": two numbers are yaw and pitch of its light, as other
-/// compilers have it, one is the angular diameter of its disc, as "_sunlight_penumbra" is.
+/// What a level says of its sun by "_sun_angle": two numbers are yaw and pitch of its light, as
+/// other compilers have it, one is the angular diameter of its disc, as "_sunlight_penumbra" is.
 struct SunAngle {
     float yaw = 0.0f, pitch = -90.0f, degrees = 1.0f;
 };
@@ -84,10 +84,9 @@ void Scene::read_sky() {
 
 void Scene::measure_sky() {
     ++sky_revision_;
-    sky_brightness_ = sky_.texture
-                          ? SkyBrightness(*textures_, *sky_.texture, sky_.radiance,
-                                          sky_.degrees_per_second != 0.0f)
-                          : SkyBrightness(sky_.radiance);
+    sky_brightness_ = sky_.texture ? SkyBrightness(*textures_, *sky_.texture, sky_.radiance,
+                                                   sky_.degrees_per_second != 0.0f)
+                                   : SkyBrightness(sky_.radiance);
 }
 
 void Scene::cut_windows(Placed& placed) {

@@ -21,8 +21,8 @@ glm::vec3 patch_mean(const TextureSet& textures, const shader::Texture& picture,
     glm::dvec3 sum(0.0);
     for (uint32_t y = first.y; y < end.y; ++y)
         for (uint32_t x = first.x; x < end.x; ++x)
-            sum += glm::dvec3(
-                decode_rgb9e5(textures.texels()[picture.first_texel + y * size.x + x]));
+            sum +=
+                glm::dvec3(decode_rgb9e5(textures.texels()[picture.first_texel + y * size.x + x]));
     const glm::uvec2 count = end - first;
     return glm::vec3(sum / static_cast<double>(count.x * count.y));
 }

@@ -17,7 +17,8 @@ namespace vigil::vkpt {
 struct SkyWindows {
     /// Window after window, cell after cell (columns first), two halves each. The first light of a
     /// window says in its flags how many cells there are; its e1 and e2 are the edges of one.
-    /// `coverage` is the share of a half that sky faces cover; one that they cover all of says so in its flags.
+    /// `coverage` is the share of a half that sky faces cover; one that they cover all of says so
+    /// in its flags.
     std::vector<LightSource> lights;
     /// Per triangle: the first light of its window; shader::NONE if it has no area.
     std::vector<uint32_t> first_lights;
