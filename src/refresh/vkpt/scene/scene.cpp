@@ -162,14 +162,17 @@ void Scene::find_sky_pictures() {
 }
 
 void Scene::set_sky(std::string_view name, float degrees_per_second, const glm::vec3& axis) {
+    const bool turned = sky_.degrees_per_second != 0.0f;
     const bool turns = degrees_per_second != 0.0f && glm::length(axis) > 0.0f;
     sky_.degrees_per_second = turns ? degrees_per_second : 0.0f;
     if (turns) sky_.axis = glm::normalize(axis);
-    measure_sky();
-    if (name == sky_.name) return;
-    sky_.name = name;
-    find_sky_pictures();
-    static_dirty_ = true;
+    if (name != sky_.name) {
+        sky_.name = name;
+        find_sky_pictures();
+        static_dirty_ = true;
+    } else if (turns != turned) {
+        measure_sky();
+    }
 }
 
 size_t Scene::place_model(std::string name, ModelGeometry geometry, Deforms deforms) {
