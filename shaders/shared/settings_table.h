@@ -118,7 +118,7 @@
         "angular diameter of the sun in degrees; 0: a point, which no ray meets; below 0: as the level says, or 1") \
     INTEGER(pt_env_nee, Session, Reference, 1, 0, 1, \
         "1: sky and sun are sampled as lights; 0: rays find them by chance, as in the paper") \
-    INTEGER(pt_sky_lights, Session, Reference, 32, 2, 4096, \
+    INTEGER(pt_sky_lights, Session, Reference, 24, 2, 4096, \
         "most lights that a level's windows to the sky are cut into, if there are fewer windows than that") \
     GPU_REAL(pt_emissive_scale, Session, Reference, 1.0, 0.0, 1e6, \
         "factor on the radiance of emissive faces") \

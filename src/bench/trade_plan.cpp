@@ -29,7 +29,7 @@ const std::vector<Sweep>& sweeps() {
     static const std::vector<Sweep> table = {
         {"pt_spp", "vlc", {"2", "4"}},
         {"pt_env_nee", "vlc+cdq", {"0"}},
-        {"pt_sky_lights", "vlc", {"16", "64"}},
+        {"pt_sky_lights", "vlc", {"12", "64"}},
         {"pt_light_points", "vlc", {"1", "2", "4", "16"}},
         {"pt_light_density", "vlc", {"area", "solid_angle"}},
         {"pt_sll_max", "sll", {"8", "16", "64", "256"}},
