@@ -31,7 +31,7 @@ std::vector<shader::Light> lamps(uint32_t count) {
             e1 = 16.0f * basis.tangent;
             e2 = 16.0f * basis.bitangent;
         }
-        lights.push_back({at, e1, e2, 10.0f * shader::random_next3(random)});
+        lights.push_back({at, e1, e2, 10.0f * shader::random_next3(random), 0});
     }
     return lights;
 }
