@@ -2,6 +2,7 @@
 #include "refresh/vkpt/scene/sky_windows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
@@ -14,11 +15,14 @@ namespace {
 /// Faces this far from a plane (map units) lie in it.
 constexpr float on_plane = 0.1f;
 /// Faces of a plane that are farther apart have windows of their own.
-constexpr float together = 1.0f;
+constexpr double together = 1.0;
 /// A window of which faces cover less is cut in two.
 constexpr double least_filled = 0.5;
-/// A half cell of which faces cover more is covered by them.
-constexpr double whole = 1.0 - 1e-5;
+/// A half cell of which faces leave less is covered by them.
+constexpr double whole_but = 1e-5;
+/// Faces this far from a window's plane do not lie in it for a ray that ends just in front of it
+/// (offset_ray_origin's least is 0.002).
+constexpr double in_plane = 1e-3;
 /// Directions of edges that are looked at in a plane.
 constexpr size_t most_directions = 64;
 constexpr uint32_t most_cells = 4095; // of a side: shader::LIGHT_CELLS_MASK
@@ -32,6 +36,10 @@ struct Rectangle {
     void add(const Rectangle& other) {
         lower = glm::min(lower, other.lower);
         upper = glm::max(upper, other.upper);
+    }
+    bool meets(const Rectangle& other, double gap) const {
+        return glm::all(glm::lessThanEqual(lower, other.upper + gap)) &&
+               glm::all(glm::lessThanEqual(other.lower, upper + gap));
     }
     glm::dvec2 size() const { return upper - lower; }
     glm::dvec2 middle() const { return 0.5 * (lower + upper); }
@@ -62,11 +70,29 @@ Polygon clip(const Polygon& polygon, glm::dvec2 a, glm::dvec2 b) {
     return part;
 }
 
+/// Adds what is left of a polygon without a convex one, counter-clockwise, to `parts`.
+void subtract(Polygon polygon, const Polygon& other, std::vector<Polygon>& parts) {
+    for (size_t i = 0; i < other.size() && !polygon.empty(); ++i) {
+        const glm::dvec2 a = other[i], b = other[(i + 1) % other.size()];
+        if (Polygon beyond = clip(polygon, b, a); area_of(beyond) > 0.0)
+            parts.push_back(std::move(beyond));
+        polygon = clip(polygon, a, b);
+    }
+}
+
 /// A sky face in its plane.
 struct Face {
     size_t triangle;
-    Polygon corners;
+    Polygon corners; // counter-clockwise
     Rectangle box;
+    bool in_plane; // not a little beside it
+
+    double area_in(const Polygon& half) const {
+        Polygon part = corners;
+        for (size_t i = 0; i < half.size(); ++i)
+            part = clip(part, half[i], half[(i + 1) % half.size()]);
+        return area_of(part);
+    }
 };
 
 /// A direction of edges, up to quarter turns.
@@ -94,6 +120,12 @@ struct Plane {
             known->length += length;
         else if (directions.size() < most_directions)
             directions.push_back({unit, length});
+    }
+    bool holds(const shader::BvhTriangle& triangle) const {
+        const glm::dvec3 v0(triangle.v0), e1(triangle.e1), e2(triangle.e2);
+        return std::ranges::all_of(std::array{v0, v0 + e1, v0 + e2}, [&](const glm::dvec3& p) {
+            return std::abs(glm::dot(normal, p - origin)) < in_plane;
+        });
     }
     /// Windows lie along the direction of most of the edges: of a rectangle's two triangles that is
     /// its sides', not their common diagonal's.
@@ -155,13 +187,9 @@ std::vector<std::vector<Face>> faces_together(std::vector<Face> faces) {
             i = group[i] = group[group[i]];
         return i;
     };
-    const auto near = [](const Rectangle& a, const Rectangle& b) {
-        return glm::all(glm::lessThanEqual(a.lower, b.upper + glm::dvec2(together))) &&
-               glm::all(glm::lessThanEqual(b.lower, a.upper + glm::dvec2(together)));
-    };
     for (size_t i = 0; i < faces.size(); ++i)
         for (size_t j = 0; j < i; ++j)
-            if (near(faces[i].box, faces[j].box)) group[root(i)] = root(j);
+            if (faces[i].box.meets(faces[j].box, together)) group[root(i)] = root(j);
     std::vector<std::vector<Face>> parts(faces.size());
     for (size_t i = 0; i < faces.size(); ++i)
         parts[root(i)].push_back(std::move(faces[i]));
@@ -217,14 +245,48 @@ void cut_evenly(std::vector<Window>& windows, uint32_t most_lights) {
     cut(windows, most);
 }
 
-void add_lights(const Window& window, std::vector<LightSource>& lights) {
+/// Whether each point of half a cell lies on the sky faces of its window, and on no others: who
+/// looks at such a point need not ask what is there.
+bool is_whole(const Polygon& half, const Window& window, std::span<const Window> all) {
+    const double least = whole_but * area_of(half);
+    Rectangle box;
+    for (const glm::dvec2 corner : half)
+        box.add({corner, corner});
+    const auto meets = [&](const Face& face) {
+        return face.box.meets(box, 0.0) && face.area_in(half) > least;
+    };
+    std::vector<Polygon> left{half};
+    for (const Face& face : window.faces) {
+        if (!face.box.meets(box, 0.0)) continue;
+        if (!face.in_plane) {
+            if (meets(face)) return false;
+            continue;
+        }
+        std::vector<Polygon> parts;
+        for (Polygon& polygon : left)
+            subtract(std::move(polygon), face.corners, parts);
+        left = std::move(parts);
+    }
+    double sum = 0.0;
+    for (const Polygon& polygon : left)
+        sum += area_of(polygon);
+    if (sum > least) return false;
+    return std::ranges::none_of(all, [&](const Window& other) {
+        return other.plane == window.plane && &other != &window && other.frame.meets(box, 0.0) &&
+               std::ranges::any_of(other.faces, meets);
+    });
+}
+
+void add_lights(const Window& window, std::span<const Window> all,
+                std::vector<LightSource>& lights) {
     const size_t first = lights.size();
     const glm::dvec2 cell = window.frame.size() / glm::dvec2(window.columns, window.rows);
     const auto add_half = [&](glm::dvec2 corner, glm::dvec2 edge1, glm::dvec2 edge2) {
         const glm::dvec2 b = corner + edge1, c = corner + edge2;
+        const Polygon half{corner, b, c};
         double covered = 0.0;
         for (const Face& face : window.faces)
-            covered += area_of(clip(clip(clip(face.corners, corner, b), b, c), c, corner));
+            covered += face.area_in(half);
         LightSource light;
         light.v0 = window.plane->place(corner);
         light.v1 = window.plane->place(b);
@@ -232,7 +294,8 @@ void add_lights(const Window& window, std::vector<LightSource>& lights) {
         light.radiance = glm::vec3(1.0f);
         const double share = covered / (0.5 * cell.x * cell.y);
         light.coverage = static_cast<float>(std::min(share, 1.0));
-        light.flags = shader::LIGHT_SKY | (share > whole ? shader::LIGHT_WHOLE : 0);
+        const bool whole = share > 1.0 - whole_but && is_whole(half, window, all);
+        light.flags = shader::LIGHT_SKY | (whole ? shader::LIGHT_WHOLE : 0);
         lights.push_back(light);
     };
     for (uint32_t row = 0; row < window.rows; ++row)
@@ -257,7 +320,8 @@ SkyWindows make_sky_windows(std::span<const shader::BvhTriangle> triangles, uint
             Face face{triangle,
                       {plane.flat(v0), plane.flat(v0 + glm::dvec3(triangles[triangle].e1)),
                        plane.flat(v0 + glm::dvec3(triangles[triangle].e2))},
-                      {}};
+                      {},
+                      plane.holds(triangles[triangle])};
             for (const glm::dvec2 corner : face.corners)
                 face.box.add({corner, corner});
             faces.push_back(std::move(face));
@@ -271,7 +335,7 @@ SkyWindows make_sky_windows(std::span<const shader::BvhTriangle> triangles, uint
     for (const Window& window : windows) {
         for (const Face& face : window.faces)
             result.first_lights[face.triangle] = static_cast<uint32_t>(result.lights.size());
-        add_lights(window, result.lights);
+        add_lights(window, windows, result.lights);
     }
     return result;
 }
