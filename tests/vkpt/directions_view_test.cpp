@@ -301,10 +301,11 @@ TEST_F(DirectionsView, ShowsArrivingLightWithoutQuadtrees) {
 
 TEST_F(DirectionsView, TeachesNothing) {
     load("rooms");
-    set("pt_bounces", "0"); // primary hits are all surface samples
-    for (const char* technique : {"sll", "vlc"}) {
+    // Primary hits are all surface samples: vlc's light samples at them, and the only rays of sll.
+    for (const auto& [technique, bounces] : {std::pair("sll", "1"), {"vlc", "0"}}) {
         SCOPED_TRACE(technique);
         set("pt_nee", technique);
+        set("pt_bounces", bounces);
         render(8);
         const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
         std::map<uint32_t, uint32_t> counted;

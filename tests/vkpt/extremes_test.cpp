@@ -3,6 +3,8 @@
 // hundred thousand lights, octrees that split always and never, frames after years. What can be
 // unbiased is compared with brute force; nothing may be counted that is not finite (render_test.h).
 #include "common/error.h"
+#include "formats/picture_bytes.h"
+#include "formats/sky.h"
 #include "light_scenes.h"
 #include "numerics/record.h"
 #include "refresh/vkpt/gpu/commands.h"
@@ -16,6 +18,8 @@ namespace {
 
 class Extremes : public RenderTest {
 protected:
+    static constexpr Bounds court_bounds{.everywhere = 0.015, .quadrant = 0.08, .five_blocks = 0.2};
+
     using Settings = std::vector<std::pair<const char*, const char*>>;
 
     /// These settings have the mean of what was measured before.
@@ -203,6 +207,96 @@ TEST_F(Extremes, PicturesThatDoNotFitLeaveTheProgramUsable) {
     EXPECT_EQ(trace(params(shot), renderer().scene()->features(), 4), before);
     record("sizes", "16,384 x 16,384 pixels on a device that cannot",
            "one message with the size, and the picture of before goes on");
+}
+
+/// The court under sky and sun.
+Shot court() {
+    Shot shot;
+    shot.view = {{-192, -64, 56}, {10, 20, 0}, 90};
+    return shot;
+}
+
+TEST_F(Extremes, SkiesInManyPieces) {
+    set_size(32, 24);
+    set("pt_nee", "lh");
+    load("opensky");
+    const PictureBatches reference = batches(court(), 16, 64, 1000, 4);
+    for (const char* lights : {"2", "4096"})
+        for (const char* technique : {"sll", "lh", "vlc"})
+            expect_equal_means(court(), reference,
+                               {{"pt_nee", technique}, {"pt_sky_lights", lights}}, court_bounds);
+    record("scenes", "windows to the sky in 2 and in 4,096 lights", "the mean of 24");
+    // The roof in two thousand faces, and one without area.
+    set("pt_sky_lights", "24");
+    set("pt_subdivide", "5");
+    load("opensky", [](Level& level) {
+        Bsp& bsp = level.bsp;
+        const auto sky = std::ranges::find_if(bsp.faces, [&](const BspFace& face) {
+            return (bsp.texinfos[face.texinfo].flags & SURF_SKY) != 0;
+        });
+        BspFace flat = *sky;
+        const auto corner = static_cast<uint32_t>(bsp.vertices.size());
+        bsp.vertices.insert(bsp.vertices.end(), {{0, 0, 192}, {20, 0, 192}, {40, 0, 192}});
+        flat.first_edge = static_cast<uint32_t>(bsp.surf_edges.size());
+        flat.edge_count = 3;
+        for (uint32_t i = 0; i < 3; ++i) {
+            bsp.surf_edges.push_back(static_cast<int32_t>(bsp.edges.size()));
+            bsp.edges.push_back({corner + i, corner + (i + 1) % 3});
+        }
+        bsp.faces.push_back(flat);
+        ++bsp.models[0].face_count;
+    });
+    for (const char* technique : {"sll", "lh"})
+        expect_equal_means(court(), reference, {{"pt_nee", technique}}, court_bounds);
+    const vkpt::Scene& scene = *renderer().scene();
+    EXPECT_GE(std::ranges::count_if(
+                  scene.host_primitives(),
+                  [&](const shader::Primitive& primitive) {
+                      return (scene.host_materials().materials()[primitive.material].flags &
+                              shader::MATERIAL_SKY) != 0;
+                  }),
+              2048);
+    record("scenes", "two thousand sky faces, and one without area", "the mean of two faces");
+}
+
+TEST_F(Extremes, LevelsWithoutVisibility) {
+    set_size(32, 24);
+    set("pt_nee", "lh");
+    load("opensky");
+    const PictureBatches reference = batches(court(), 16, 64, 1000, 4);
+    load("opensky", [](Level& level) {
+        level.bsp.visibility.clear();
+        level.bsp.visibility_offsets.clear();
+        level.pvs = Pvs(level.bsp);
+        EXPECT_TRUE(level.pvs.sees_everything());
+    });
+    for (const char* technique : {"sll", "lh", "vlc"})
+        expect_equal_means(court(), reference, {{"pt_nee", technique}}, court_bounds);
+    record("scenes", "sky and sun in a level without visibility", "the mean of the one with it");
+}
+
+TEST_F(Extremes, OneBrightTexelOfSky) {
+    for (const SkySide& side : sky_sides) {
+        Image image{64, 64, std::vector<uint8_t>(size_t{4} * 64 * 64, 0)};
+        for (size_t i = 3; i < image.rgba.size(); i += 4)
+            image.rgba[i] = 255;
+        if (side.suffix == "up") std::fill_n(image.rgba.begin() + 4 * (64 * 33 + 33), 4, 255);
+        write_game_file(fmt::format("env/dot{}.tga", side.suffix),
+                        write_tga(image, {.descriptor = 0x20}));
+    }
+    set("pt_sky_scale", "1e5");
+    load("opensky", [](Level& level) {
+        level.bsp.entities[0].set("sky", "dot");
+        level.bsp.entities[0].set("_sun_light", "0");
+    });
+    for (const TechniqueInfo& info : technique_infos) {
+        set("pt_nee", info.name);
+        learn(court(), frames_to_learn);
+        const std::vector<float> seen = trace(params(court()), renderer().scene()->features(), 64);
+        EXPECT_TRUE(all_finite_nonnegative(seen)) << info.name;
+        EXPECT_GT(sum_of(seen), 0.0) << info.name;
+    }
+    record("scenes", "one texel of 100,000 in a black sky", "every technique: lit, finite");
 }
 
 } // namespace

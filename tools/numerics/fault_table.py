@@ -49,8 +49,12 @@ LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/clu
              LIGHT + "light_lists.cpp", libraries=("vigil_level",), computes=False)
 PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
            libraries=("vigil_formats",), computes=False)
-LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", SCENE + "light_set.cpp", libraries=("vigil_common",),
+LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", SCENE + "light_set.cpp", libraries=("vigil_scene",),
                  computes=False)
+SKY_WINDOWS = part("sky_windows", "tests/vkpt/sky_windows_test.cpp", SCENE + "sky_windows.cpp",
+                   libraries=("vigil_common",))
+SKY_LIGHT = part("sky_light", "tests/vkpt/sky_light_test.cpp", "tests/formats/picture_bytes.cpp",
+                 libraries=("vigil_scene",), computes=False)
 RESERVOIR = part("reservoir", "tests/numerics/reservoir_test.cpp")
 DIRECTIONS = part("directions", "tests/numerics/directions_test.cpp")
 SOUND = part("sound", "tests/numerics/sound_test.cpp")
@@ -292,7 +296,7 @@ FAULTS = [
           "return finite_or_zero(1.02 * luminance(brought) / octahedral_density(direction));",
           VIEWS, "DirectionsView.FurnaceIsEvenAboveTheHorizon"),
     Fault("what the map of directions gathers lacks 5%", "shaders/debug/direction_map.comp",
-          "        gathered += throughput * end.brought;", "        gathered += 0.95 * throughput * end.brought;",
+          "        gathered += throughput * end.taught;", "        gathered += 0.95 * throughput * end.taught;",
           VIEWS, "DirectionsView.MapHoldsWhatIndirectRaysBring"),
     Fault("a torch is 4% too bright", "src/refresh/vkpt/scene/scene.cpp",
           "add_model(*spot_model_, transform, spot.radiance,", "add_model(*spot_model_, transform, 1.04f * spot.radiance,",
@@ -330,8 +334,8 @@ FAULTS = [
           "LightList(cluster, range.x, max(range.y, 1u) - 1u, 0u, max(range.y, 1u) - 1u)",
           TECHNIQUE, "*KeepsItsPromises/sll_Default"),
     Fault("the first light that moves is in no list", "src/refresh/vkpt/light/cluster_lists.cpp",
-          "triangles_of(lights, first_moving, count, false);",
-          "triangles_of(lights, std::min(first_moving + 8u, count), count, false);",
+          "for (uint32_t id = lights.static_count(); id < lights.lights().size(); ++id) {",
+          "for (uint32_t id = lights.static_count() + 8; id < lights.lights().size(); ++id) {",
           TECHNIQUE, "*KeepsItsPromises/sll_Default"),
 
     # On the GPU: rays.
@@ -344,11 +348,12 @@ FAULTS = [
     Fault("an even sky is 3% too bright", "shaders/pathtrace/sky.glsl",
           "    vec3 value = frame.sky_radiance;", "    vec3 value = 1.03 * frame.sky_radiance;",
           ANALYTIC, "Analytic.EvenSkyOverACourt"),
-    Fault("the sun is 5% too bright", "shaders/pathtrace/sky.glsl",
-          "value += frame.sun_radiance;", "value += 1.05 * frame.sun_radiance;", ANALYTIC, "Analytic.SunOverACourt"),
+    Fault("the sun is 5% too bright for rays that find it", "shaders/pathtrace/sky.glsl",
+          "(meets_sun(direction) ? frame.sun_radiance : vec3(0.0))",
+          "(meets_sun(direction) ? 1.05 * frame.sun_radiance : vec3(0.0))", ANALYTIC, "Analytic.SunOverACourt"),
     Fault("light where rays end lacks 4%", "shaders/pathtrace/indirect_ray.glsl",
-          "end.brought += next_event_estimate(end.surface, random).radiance;",
-          "end.brought += 0.96 * next_event_estimate(end.surface, random).radiance;",
+          "end.brought += next_event_estimate(end.surface, ray_follows, random).radiance;",
+          "end.brought += 0.96 * next_event_estimate(end.surface, ray_follows, random).radiance;",
           ANALYTIC, "Analytic.WhiteFurnaceWhereRaysEnd"),
     Fault("mixture of rays: the BRDF's part counts 4% too unlikely", "shaders/pathtrace/indirect_ray.glsl",
           "direction), seen.pdf, brdf_part);", "direction), seen.pdf, 0.96 * brdf_part);",
@@ -359,6 +364,41 @@ FAULTS = [
     Fault("mixture of rays: 4% too few by the BRDF", "shaders/pathtrace/indirect_ray.glsl",
           "if (random_next(random) < brdf_part)", "if (random_next(random) < 0.96 * brdf_part)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
+
+    # Sky and sun as lights.
+    Fault("the sun sends 3% too much by light samples", "src/refresh/vkpt/scene/sun.cpp",
+          "return irradiance * (2.0f / (1.0f + std::cos(half_angle)));",
+          "return 1.03f * irradiance * (2.0f / (1.0f + std::cos(half_angle)));", SKY_LIGHT, "Sun.*"),
+    Fault("the sun sends 3% too much by light samples, in pictures", "src/refresh/vkpt/scene/sun.cpp",
+          "return irradiance * (2.0f / (1.0f + std::cos(half_angle)));",
+          "return 1.03f * irradiance * (2.0f / (1.0f + std::cos(half_angle)));", ANALYTIC, "Analytic.SunOverACourt"),
+    Fault("the sun matters 4% too little where lights are chosen", "src/refresh/vkpt/scene/sun.cpp",
+          "sun.irradiance / (shader::PI * form)", "0.96f * sun.irradiance / (shader::PI * form)", SKY_LIGHT, "Sun.*"),
+    Fault("the sun's triangle is 5% too narrow for its cone", "src/refresh/vkpt/scene/sun.cpp",
+          "const float radius = (1.0f + beyond)", "const float radius = (0.95f + beyond)", SKY_LIGHT, "Sun.*"),
+    Fault("windows to the sky: coverage lacks 4%", "src/refresh/vkpt/scene/sky_windows.cpp",
+          "static_cast<float>(std::min(share, 1.0));", "static_cast<float>(std::min(0.96 * share, 1.0));",
+          SKY_WINDOWS, "SkyWindows*"),
+    Fault("windows to the sky: cells with gaps count as whole", "src/refresh/vkpt/scene/sky_windows.cpp",
+          "constexpr double whole_but = 1e-5;", "constexpr double whole_but = 0.3;", SKY_WINDOWS, "SkyWindows*"),
+    Fault("windows to the sky: the second halves lie 3% beside their cells", "src/refresh/vkpt/scene/sky_windows.cpp",
+          "add_half(low + cell, {-cell.x, 0.0}", "add_half(low + 1.03 * cell, {-cell.x, 0.0}", SKY_WINDOWS,
+          "SkyWindows*"),
+    Fault("the sky's brightness through a plane is 4% too low", "src/refresh/vkpt/scene/sky_brightness.cpp",
+          "sum += weight * patch.radiance;", "sum += 0.96f * weight * patch.radiance;", SKY_LIGHT, "Sky*"),
+    Fault("rays count 5% too little of the sky beside light samples", "shaders/pathtrace/indirect_ray.glsl",
+          "part -= sampled_share(light_probability(surface, light), inverse_density, brdf_pdf);",
+          "part -= sampled_share(1.05 * light_probability(surface, light), inverse_density, brdf_pdf);",
+          ANALYTIC, "Analytic.EvenSkyOverACourt"),
+    Fault("the density of sky and sun is 5% too low for light samples", "shaders/pathtrace/next_event.glsl",
+          "value *= sampled_share(probability, environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);",
+          "value *= sampled_share(probability, 1.05 * environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);",
+          ANALYTIC, "Analytic.EvenSkyOverACourt"),
+    Fault("half of the draws are said to be the sun's, and 52% are", "shaders/light/lh.glsl",
+          "if (random_number.u < of_sun) return", "if (random_number.u < 1.04 * of_sun) return",
+          TECHNIQUE, "*KeepsItsPromises/lh_Default"),
+    Fault("the sun is in no list", "src/refresh/vkpt/light/cluster_lists.cpp",
+          "if (lights.sun_enters(light)) triangles", "if (false) triangles", TECHNIQUE, "*KeepsItsPromises/sll_Default"),
 
     # On the GPU: memory.
     Fault("a hash bucket overflows by one", "shaders/guiding/light_table.glsl",
