@@ -238,7 +238,8 @@ TEST(Sun, AsALightMattersToWhateverSeesAPartOfIt) {
             };
             for (int i = 0; i <= 200; ++i)
                 for (int t = 0; t < 24; ++t) {
-                    const float turn = 2.0f * pi * (static_cast<float>(t) + 0.3f) / 24.0f;
+                    // Where the triangle reaches least far is among them: 60 degrees.
+                    const float turn = 2.0f * pi * static_cast<float>(t) / 24.0f;
                     // Evenly, and close to where the last of the disc sets.
                     const float angle = i <= 100 ? seen * static_cast<float>(i) / 101.0f
                                                  : seen - 1e-5f * static_cast<float>(i - 100);
