@@ -25,7 +25,7 @@ ImportanceScene make_importance_scene(uint32_t queries, uint32_t lights, bool gl
     for (uint32_t i = 0; i < lights; ++i) {
         const float size = 8.0f + 56.0f * random_next(random);
         scene.lights.push_back({hall * random_next3(random), size * direction(), size * direction(),
-                                10.0f * random_next3(random)});
+                                10.0f * random_next3(random), 0});
     }
     for (uint32_t i = 0; i < queries; ++i) {
         ImportanceQuery query;
