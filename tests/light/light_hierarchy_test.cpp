@@ -47,8 +47,8 @@ std::vector<Light> lamps_in_a_hall(uint32_t count) {
         e1[(axis + 1) % 3] = 16.0f;
         e2[(axis + 2) % 3] = shader::random_next(random) < 0.5f ? 8.0f : -8.0f;
         const glm::vec3 radiance = 10.0f * shader::random_next3(random) + 0.1f;
-        lights.push_back({at, e1, e2, radiance});
-        lights.push_back({at + e1 + e2, -e1, -e2, radiance});
+        lights.push_back({at, e1, e2, radiance, 0});
+        lights.push_back({at + e1 + e2, -e1, -e2, radiance, 0});
     }
     lights.resize(count);
     return lights;
@@ -66,14 +66,14 @@ std::vector<Light> wild_lights(uint32_t count) {
         const glm::vec3 e1 = power(-3, 3) * random_direction(random);
         glm::vec3 e2 = power(-3, 3) * random_direction(random);
         if (i % 5 == 0) e2 = 0.3f * e1 + power(-6, -3) * random_direction(random); // a sliver
-        lights.push_back({at, e1, e2, glm::vec3(power(-30, 30))});
+        lights.push_back({at, e1, e2, glm::vec3(power(-30, 30)), 0});
     }
     return lights;
 }
 
 /// Nothing but the same light.
 std::vector<Light> same_lights(uint32_t count) {
-    return std::vector<Light>(count, {{5, 6, 7}, {1, 0, 0}, {0, 1, 0}, {1, 2, 3}});
+    return std::vector<Light>(count, {{5, 6, 7}, {1, 0, 0}, {0, 1, 0}, {1, 2, 3}, 0});
 }
 
 /// Each so much nearer to the origin than the one before: cuts by area take off a few at a time.
@@ -81,7 +81,7 @@ std::vector<Light> nested_lights(float first, float ratio) {
     std::vector<Light> lights;
     float at = first;
     for (int i = 0; i < 250; ++i, at *= ratio)
-        lights.push_back({{at, 0, 0}, {0, 0.1f * at, 0}, {0, 0, 0.1f * at}, glm::vec3(1.0f)});
+        lights.push_back({{at, 0, 0}, {0, 0.1f * at, 0}, {0, 0, 0.1f * at}, glm::vec3(1.0f), 0});
     return lights;
 }
 
@@ -110,7 +110,7 @@ std::vector<Scene> scenes() {
     std::vector<Scene> all;
     all.push_back({"none", {}});
     all.push_back(
-        {"black", std::vector<Light>(7, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, glm::vec3(0)})});
+        {"black", std::vector<Light>(7, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, glm::vec3(0), 0})});
     all.push_back({"one", lamps_in_a_hall(1)});
     all.push_back({"two", lamps_in_a_hall(2)});
     all.push_back({"three", wild_lights(3)});
@@ -318,7 +318,7 @@ TEST(LightHierarchy, SharesAddUpAndPreferWhatMatters) {
     for (const float z : {100.0f, 1000.0f})
         for (int i = 0; i < 64; ++i)
             lights.push_back(
-                {{0.01f * static_cast<float>(i), 0, z}, {0, 1, 0}, {1, 0, 0}, glm::vec3(1.0f)});
+                {{0.01f * static_cast<float>(i), 0, z}, {0, 1, 0}, {1, 0, 0}, glm::vec3(1.0f), 0});
     LightHierarchy hierarchy;
     hierarchy.build(lights, {});
     const HierarchyWords words = words_of(hierarchy);

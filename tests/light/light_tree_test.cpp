@@ -24,7 +24,7 @@ std::vector<shader::Light> some_lights(int count) {
         const glm::vec3 at = 1000.0f * shader::random_next3(random);
         const float size = power();
         lights.push_back({at, size * direction(), size * direction(),
-                          power() * (0.1f + shader::random_next3(random))});
+                          power() * (0.1f + shader::random_next3(random)), 0});
     }
     return lights;
 }

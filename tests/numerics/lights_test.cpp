@@ -137,7 +137,7 @@ TEST(Lights, SliversAndNone) {
             const vec3 along = 100.0f * any_direction(random);
             const vec3 across = 100.0f / aspect * any_direction(random);
             const Light light =
-                facing({{3, -2, 40}, along, i % 2 == 0 ? along + across : across, vec3(1.0f)});
+                facing({{3, -2, 40}, along, i % 2 == 0 ? along + across : across, vec3(1.0f), 0});
             ASSERT_NO_FATAL_FAILURE(expect_consistent(light, random, 16));
             if (i % 2 == 1) scores.add(score_of_mean(light, random, 4000));
             ASSERT_TRUE(is_finite_nonnegative(light_power(light)));
@@ -194,7 +194,8 @@ TEST(Lights, AroundTheHorizon) {
         Light near{{1e-3f * random_next(random), 0.0f, 0.0f},
                    {0.0f, 10.0f * random_next(random), i % 2 == 0 ? 0.0f : 4.0f},
                    {random_next(random), 0.0f, 10.0f},
-                   vec3(1.0f)};
+                   vec3(1.0f),
+                   0};
         near.v0.z -= 2e-3f;
         near = facing(near);
         ASSERT_NO_FATAL_FAILURE(expect_consistent(near, random, 8));
