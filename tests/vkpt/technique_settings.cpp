@@ -13,8 +13,8 @@ constexpr uint32_t all_lights = 0xffffffffu;
 
 /// A technique that is not here is tested with its defaults.
 const TechniqueSettings known[] = {
-    {"sll", "Default", {}, {32, 1, 1.0}},
-    {"sll", "FourAtMost", {{"pt_sll_max", "4"}}, {4, 1, 1.0}},
+    {"sll", "Default", {}, {32, 1, 1.0, true}},
+    {"sll", "FourAtMost", {{"pt_sll_max", "4"}}, {4, 1, 1.0, true}},
     {"sll", // baseq2/q2rtx_lists.cfg
      "AsShipped",
      {{"pt_sll_max", "8"},
@@ -22,7 +22,7 @@ const TechniqueSettings known[] = {
       {"pt_sll_stats", "1"},
       {"pt_light_points", "1"},
       {"pt_light_density", "solid_angle"}},
-     {8, 1, 1.0}},
+     {8, 1, 1.0, true}},
     {"lh", "Default", {}, {}},
     {"lh", "ThreeWide", {{"pt_lh_width", "3"}, {"pt_lh_leaf", "1"}}, {}, true, 0.3},
     // A walk through a cluster's list throws away what the cache has.

@@ -16,8 +16,9 @@ struct Blanks {
     /// Lights per walk: a list is walked in equal parts, any of which may hold only lights that
     /// cannot shine. 0: nothing is known, and only the draws themselves tell.
     uint32_t walk = 0;
-    uint32_t parts = 1; // or their number, if that is bounded
-    double share = 1.0; // of the draws that do so; the others always find a light
+    uint32_t parts = 1;     // or their number, if that is bounded
+    double share = 1.0;     // of the draws that do so; the others always find a light
+    bool sun_apart = false; // where the sun can shine, half of the draws are of it alone
 };
 
 struct TechniqueSettings {

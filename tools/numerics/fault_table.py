@@ -49,8 +49,7 @@ LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/clu
              LIGHT + "light_lists.cpp", libraries=("vigil_level",), computes=False)
 PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
            libraries=("vigil_formats",), computes=False)
-LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", SCENE + "light_set.cpp", libraries=("vigil_scene",),
-                 computes=False)
+LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", libraries=("vigil_scene",), computes=False)
 SKY_WINDOWS = part("sky_windows", "tests/vkpt/sky_windows_test.cpp", SCENE + "sky_windows.cpp",
                    libraries=("vigil_common",))
 SKY_LIGHT = part("sky_light", "tests/vkpt/sky_light_test.cpp", "tests/formats/picture_bytes.cpp",
