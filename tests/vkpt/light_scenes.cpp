@@ -308,7 +308,7 @@ LightScene black_sky_and_point_sun() {
 
 LightScene sun_of_180_degrees() {
     LightScene scene = court("SunOf180Degrees", {{"_sun_angle", "180"}});
-    scene.bounds = {0.1, 0.3, 0.8}; // most of its directions are behind walls
+    scene.bounds = {0.14, 0.4, 1.0}; // most of its directions are behind walls
     scene.extreme = "a sun of 180 degrees";
     return scene;
 }
