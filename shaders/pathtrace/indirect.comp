@@ -56,5 +56,7 @@ void main() {
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return;
     Random random = path_random(pixel, STREAM_INDIRECT);
-    add_radiance(index, trace_path(load_primary_surface(hit), random), false);
+    const vec3 gathered = trace_path(load_primary_surface(hit), random);
+    add_radiance(index, gathered, false);
+    if (frame.filter_flags != 0u) filter_input[index].indirect = radiance_sum(filter_input[index].indirect, without_albedo(hit, gathered));
 }

@@ -35,14 +35,19 @@ bool pixel_of_side_invocation(out uvec2 pixel, out uint index) {
     return inside;
 }
 
-/// Adds to the pixel's sum of this frame, past the firewall.
-void add_radiance(uint index, vec3 value, bool first) {
-    const vec3 before = first ? vec3(0.0) : radiance[index];
+/// A sum past the firewall.
+vec3 radiance_sum(vec3 before, vec3 value) {
     const vec3 sum = before + finite_or_zero(value);
     // Finite values may have a sum that is not.
     const bool fits = is_finite_nonnegative(sum);
     if (!fits) count_nonfinite();
-    radiance[index] = fits ? sum : before;
+    return fits ? sum : before;
 }
+
+/// Adds to the pixel's sum of this frame.
+void add_radiance(uint index, vec3 value, bool first) { radiance[index] = radiance_sum(first ? vec3(0.0) : radiance[index], value); }
+
+/// What the primary hit reflects, as light that falls on it, for the filter.
+vec3 without_albedo(PrimaryHit hit, vec3 value) { return value / filter_albedo(hit.albedo, HAS_GLOSS ? unpackHalf2x16(hit.gloss).y : 0.0); }
 
 #endif

@@ -32,7 +32,7 @@ void main() {
     uint index;
     if (!pixel_of_invocation(pixel, index)) return;
     Random random = path_random(pixel, STREAM_PRIMARY);
-    const vec2 inside = frame.jitter != 0u ? random_next2(random) : vec2(0.5);
+    const vec2 inside = frame.jitter != 0u ? random_next2(random) : frame.pixel_point;
     const vec2 screen = (vec2(pixel) + inside) / vec2(frame.size) * 2.0 - 1.0;
 
     const vec3 direction = normalize(frame.camera_forward + screen.x * frame.camera_right - screen.y * frame.camera_up);
@@ -60,4 +60,10 @@ void main() {
     if (path_index > 0u || frame.accumulated > 0u) stored.flags = primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
     primary_hits[index] = stored;
     add_radiance(index, emission, path_index == 0u);
+    if (frame.filter_flags != 0u) {
+        FilterInput start = FilterInput(vec3(0.0), vec3(0.0), vec3(0.0));
+        if (path_index > 0u) start = filter_input[index];
+        start.emission = radiance_sum(start.emission, emission);
+        filter_input[index] = start;
+    }
 }

@@ -5,6 +5,7 @@
 #define VIGIL_SCENE_FRAME_GLSL
 
 #include "shared/bindings.h"
+#include "shared/filter_types.h"
 #include "shared/frame_params.h"
 #include "shared/scene_types.h"
 
@@ -24,6 +25,9 @@ layout(set = SET_SCENE, binding = BINDING_SURFACES, scalar) restrict buffer Prim
 // Sum over this frame's paths; divided by pt_spp when it is accumulated.
 layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer RadianceBlock { vec3 radiance[]; };
 
+// Only with FILTER_ON in frame.filter_flags.
+layout(set = SET_SCENE, binding = BINDING_FILTER_INPUT, scalar) restrict buffer FilterInputBlock { FilterInput filter_input[]; };
+
 layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
 
 // The fields of PassConstants (shared/frame_params.h), which passes that belong to no side need not set beyond path_count.
@@ -34,6 +38,7 @@ layout(push_constant, scalar) uniform PushBlock {
     uint end_column;
     uint samples_lights;
     uint guided;
+    uint filter_step;
 };
 
 /// The pixel of an invocation of a pass that is dispatched over a side's columns: from the work group of the first on. False

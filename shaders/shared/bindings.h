@@ -28,8 +28,9 @@
 #define BINDING_COUNTERS 16               // FrameCounters, read back by the host: scene/frame.glsl
 #define BINDING_DISPLAY 17                // finished picture, RGBA8: post/picture.glsl
 #define BINDING_DIRECTION_MAP 18          // radiance that arrives at the crosshair: debug/direction_map.glsl
-#define BINDING_ACCELERATION_STRUCTURE 19 // only with ray query: trace/trace_query.glsl
-#define SCENE_BINDING_COUNT 20
+#define BINDING_FILTER_INPUT 19           // FilterInput[]: scene/frame.glsl
+#define BINDING_ACCELERATION_STRUCTURE 20 // only with ray query: trace/trace_query.glsl
+#define SCENE_BINDING_COUNT 21
 
 // Specialisation constants, the same in every shader that has them.
 #define CONSTANT_INSTANCES 0   // models are placed: trace/trace.glsl
@@ -87,6 +88,14 @@
 #define BINDING_PASS_OLD_CACHES 12
 #define BINDING_PASS_RAYS 13 // ray samples
 #define GUIDING_PASS_BINDING_COUNT 14
+
+// Beside set 0 in the passes of the filter, declared in filter/filter.glsl.
+#define SET_FILTER 1
+#define BINDING_FILTER_SURFACES 0 // FilterSurface[], two frames: shared/filter_types.h
+#define BINDING_FILTER_HISTORY 1  // FilterHistory[], two frames
+#define BINDING_FILTER_LIGHT 2    // between two passes over neighbours, twice
+#define BINDING_FILTER_RESOLVED 3 // the picture, two frames
+#define FILTER_BINDING_COUNT 4
 
 // The set of pass `draws`: post/draws.comp.
 #define BINDING_DRAWS_DISPLAY 0 // the finished picture

@@ -31,6 +31,16 @@ struct FrameParams {
     float sun_size;        // 1 - cos(half the angular diameter)
     vec3 sun_flux;         // radiance times solid angle of the disc
     uint sun_light;        // id of the sun, or NONE: it is no light
+    // What the filter needs; shared/filter_types.h.
+    uint filter_flags;      // FILTER_*
+    uint filter_half;       // 0 or 1: this frame's half of buffers that hold two frames
+    uint split_column;      // where the picture's second side begins; its width if there is none
+    vec2 pixel_point;       // where in the pixel camera rays pass unless they are jittered one by one
+    vec2 last_pixel_point;  // the same of the frame before; and its camera
+    vec3 last_camera_origin;
+    vec3 last_camera_forward;
+    vec3 last_camera_right;
+    vec3 last_camera_up;
     GpuSettings settings;
 };
 
@@ -43,6 +53,7 @@ struct PassConstants {
     uint end_column;     // the one after its last
     uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of it
     uint guided;         // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
+    uint filter_step;    // of the passes of the filter: how many steps over neighbours came before
 };
 
 /// Counted on the GPU, read back by the host without waiting.

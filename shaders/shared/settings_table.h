@@ -44,7 +44,7 @@
     CHOICE(pt_nee, Session, Picture, "vlc", technique_choices, \
         "how next event estimation chooses a light") \
     CHOICE(pt_compare, Session, Reference, "none", compare_choices, \
-        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, with guided rays where +cdq or another guider follows") \
+        "splits the picture: pt_nee and pt_guide on the left, this technique on the right, with guided rays where +cdq or another guider follows; raw: the same unfiltered") \
     REAL(pt_compare_at, Session, Display, 0.5, 0.0, 1.0, \
         "where pt_compare splits the picture, in parts of its width; 0: all of it is the right side, 1: the left") \
     CHOICE(pt_trace, Session, Reference, "auto", "auto|bvh|query", \
@@ -126,6 +126,20 @@
         "1: lamps that the camera sees show their texture; 0: their mean radiance") \
     GPU_CHOICE(pt_texture_filter, Session, Reference, "bilinear", "nearest|bilinear|full", \
         "how textures are magnified; full: bilinear, and never from a smaller mip level") \
+    INTEGER(flt_enable, Archived, Picture, 1, 0, 1, \
+        "1: light is averaged over time and over neighbouring pixels, unless pt_accumulate is 1; 0: the picture as it is traced") \
+    GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \
+        "filter: frames that light is averaged over, at most") \
+    INTEGER(flt_atrous, Session, Picture, 5, 0, 6, \
+        "filter: passes over neighbouring pixels, each over pixels twice as far apart; 0: over time alone") \
+    GPU_REAL(flt_sigma, Session, Picture, 4.0, 0.0, 1000.0, \
+        "filter: neighbours whose brightness differs by so many standard deviations count 1/e as much") \
+    GPU_REAL(flt_firefly, Session, Picture, 8.0, 0.0, 1e6, \
+        "filter: brightness of a sample, at most, in standard deviations above what was seen there before; 0: any") \
+    GPU_INTEGER(flt_antilag, Session, Picture, 1, 0, 1, \
+        "filter: 1: where lights change, what was averaged counts less") \
+    INTEGER(flt_taa, Archived, Picture, 1, 0, 1, \
+        "filter: 1: camera rays move within the pixel from frame to frame, so that edges are smooth") \
     GPU_REAL(pt_exposure, Session, Display, 0.0, 0.0, 1e6, \
         "factor from radiance to brightness; 0: automatic") \
     GPU_REAL(pt_exposure_bias, Archived, Display, 0.0, -16.0, 16.0, \

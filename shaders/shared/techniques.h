@@ -84,7 +84,7 @@ inline std::string technique_row_name(const TechniqueRow& row) {
     return name += guider_infos[static_cast<int>(row.guide)].name;
 }
 
-/// What `pt_compare` holds: "none|sll|sll+cdq|...".
+/// What `pt_compare` holds: "none|raw|sll|sll+cdq|...".
 inline constexpr auto compare_choice_text = [] {
     constexpr auto write = [](char* to) {
         std::size_t length = 0;
@@ -94,7 +94,7 @@ inline constexpr auto compare_choice_text = [] {
                 ++length;
             }
         };
-        add("none");
+        add("none|raw");
         for (const TechniqueInfo& technique : technique_infos)
             for (const GuiderInfo& guider : guider_infos) {
                 add("|");

@@ -188,7 +188,8 @@ struct RadiancePicture {
 enum class PassGroup {
     Other,
     Preparation, ///< octree, caches, quadtrees
-    PathTracing
+    PathTracing,
+    Filter ///< what makes a calm picture of it
 };
 
 struct PassTime {

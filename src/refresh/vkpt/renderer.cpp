@@ -41,7 +41,7 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
                                                                  gpu::FrameCommands(device_)},
       waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
       buffers_(device_, left_.guiding().look_up()), path_tracer_(compiler_, buffers_),
-      direction_map_(compiler_, buffers_), post_(compiler_, buffers_), draws_(device_, compiler_) {
+      direction_map_(compiler_, buffers_), filter_(device_, compiler_, buffers_), post_(compiler_, buffers_), draws_(device_, compiler_) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -66,6 +66,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
+    filter_.forget();
     frame_unfinished_ = false; // everything is copied anew
     shown_ = {};
     guiding_work_ = {};
@@ -126,9 +127,13 @@ void VkptRenderer::resize(glm::uvec2 size) {
     rebind_ = true;
 }
 
+bool VkptRenderer::compares_raw() const {
+    return settings_.pt_compare == setting_choice("pt_compare", "raw");
+}
+
 uint32_t VkptRenderer::split_column() const {
     const uint32_t width = buffers_.size().x;
-    if (!right_) return width;
+    if (!right_ && !compares_raw()) return width;
     return static_cast<uint32_t>(std::lround(settings_.pt_compare_at * static_cast<float>(width)));
 }
 
@@ -159,15 +164,15 @@ void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
     if (right_) rebind_ |= right_->technique()->prepare(lights);
     if (!rebind_) return;
     device_.wait_idle();
-    buffers_.bind(*scene_, *left_.technique(), right_ ? right_->technique() : nullptr);
+    buffers_.bind(*scene_, *left_.technique(), *(right_ ? *right_ : left_).technique());
     rebind_ = false;
 }
 
 void VkptRenderer::for_each_side(const std::function<void(Side&)>& what) {
     // A side without pixels rests: it learned nothing from the frame before, and is not looked at.
     const uint32_t split = split_column(), width = buffers_.size().x;
-    if (split > 0) what(left_);
-    if (split < width) what(*right_);
+    if (split > 0 || !right_) what(left_);
+    if (split < width && right_) what(*right_);
 }
 
 void VkptRenderer::prepare_pipelines() {
@@ -177,6 +182,7 @@ void VkptRenderer::prepare_pipelines() {
     const std::vector<PictureSide> sides = picture_sides();
     path_tracer_.prepare(sides);
     if (settings_.pt_view == shader::VIEW_CDQ) direction_map_.prepare(sides);
+    filter_.prepare_pipelines();
     post_.prepare(sides, settings_.pt_view);
 }
 
@@ -189,17 +195,20 @@ void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
 
 std::vector<PictureSide> VkptRenderer::picture_sides() const {
     const SceneFeatures features = scene_->features();
-    const auto describe = [&](const Side& side, uint32_t first, uint32_t end) {
+    const auto describe = [&](const Side& side, uint32_t first, uint32_t end, bool filtered) {
         return PictureSide{{side.id(), features, use_ray_query(settings_), side.guide()},
                            side.technique()->samples_lights() && features.lights,
+                           filtered,
                            side.guided(),
                            side.guiding().set(),
                            first,
                            end};
     };
     const uint32_t split = split_column();
-    std::vector<PictureSide> sides{describe(left_, 0, split)};
-    if (right_) sides.push_back(describe(*right_, split, buffers_.size().x));
+    const uint32_t width = buffers_.size().x;
+    std::vector<PictureSide> sides{describe(left_, 0, split, true)};
+    if (right_) sides.push_back(describe(*right_, split, width, true));
+    else if (compares_raw()) sides.push_back(describe(left_, split, width, false));
     return sides;
 }
 
@@ -209,7 +218,7 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
         legends_.at(i).record(commands, buffers_.display(),
                               {settings_.pt_view, side.variant.technique, side.samples_lights,
                                side.guided, buffers_.size(),
-                               (i == 0 ? left_ : *right_).technique()->uses_guiding(),
+                               (i == 1 && right_ ? *right_ : left_).technique()->uses_guiding(),
                                side.variant.guide.guides(), side.first_column, side.end_column});
     }
     if (sides.size() < 2) return;
@@ -217,6 +226,7 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
     for (size_t i = 0; i < names.size(); ++i)
         names.at(i) =
             technique_row_name({sides[i].variant.technique, sides[i].variant.guide.guide});
+    if (compares_raw()) names = {filter_.on() ? "filtered" : "raw", "raw"};
     side_labels_.record(commands, buffers_.display(), buffers_.size(), split_column(), names);
 }
 
@@ -322,6 +332,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         follow_guide_setting();
         rebind_ |= scene_->prepare(frame);
         rebind_ |= prepare_ray_query();
+        rebind_ |= filter_.prepare(settings_);
         prepare_sides(frame);
         prepare_pipelines();
         overlay = await_pipelines(overlay);
@@ -345,6 +356,8 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         params.view_accumulated = view_accumulated_;
         params.jitter =
             settings_.pt_jitter == 2 || (settings_.pt_jitter == 1 && accumulating) ? 1u : 0u;
+        params.split_column = split_column();
+        filter_.describe(params);
         const std::vector<PictureSide> sides = picture_sides();
         record_picture(commands, sides, params, static_cast<uint32_t>(settings_.pt_spp));
         record_texts(commands, sides);
@@ -370,6 +383,7 @@ void VkptRenderer::record_picture(gpu::FrameCommands& commands, std::span<const 
     buffers_.upload(commands, params);
     path_tracer_.record(commands, sides, paths);
     if (view == shader::VIEW_CDQ) direction_map_.record(commands, sides, paths);
+    if (params.filter_flags != 0) filter_.record(commands, sides, paths);
     post_.record(commands, sides, view, paths);
 }
 

@@ -7,6 +7,7 @@
 #include "refresh/vkpt/debug/direction_map.h"
 #include "refresh/vkpt/debug/legend.h"
 #include "refresh/vkpt/debug/side_labels.h"
+#include "refresh/vkpt/filter/filter.h"
 #include "refresh/vkpt/gpu/swapchain.h"
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/pathtrace/pathtracer.h"
@@ -82,6 +83,8 @@ private:
     glm::uvec2 screen_size() const;
     void resize(glm::uvec2 size);
     GuideChoice guide_of(Guide guide) const;
+    /// Whether the right side is the left's, unfiltered.
+    bool compares_raw() const;
     void select_sides();
     void reset_side(Side& side);
     void prepare_sides(const refresh::Frame& frame);
@@ -119,6 +122,7 @@ private:
     FrameBuffers buffers_;
     PathTracer path_tracer_;
     DirectionMap direction_map_;
+    Filter filter_;
     Post post_;
     Draws draws_;
     std::optional<gpu::Swapchain> swapchain_;

@@ -2,6 +2,7 @@
 // Turns the scene of a frame into what scene_export.h writes.
 #pragma once
 
+#include "refresh/settings.h"
 #include "refresh/vkpt/export/scene_export.h"
 #include "shared/frame_params.h"
 

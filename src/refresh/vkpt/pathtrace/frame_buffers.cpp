@@ -3,6 +3,7 @@
 
 #include "refresh/vkpt/light/ltc_table.h"
 #include "shared/direction_map.h"
+#include "shared/filter_types.h"
 
 namespace vigil::vkpt {
 
@@ -63,8 +64,16 @@ void FrameBuffers::resize(glm::uvec2 size) {
     size_ = size;
 }
 
+void FrameBuffers::keep_filter_input(bool keep) {
+    filter_input_ = gpu::Buffer();
+    if (keep)
+        filter_input_ =
+            gpu::Buffer(device_, uint64_t{size_.x} * size_.y * sizeof(shader::FilterInput),
+                        gpu::MemoryUse::Device, "filter input");
+}
+
 void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
-                        const LightTechnique* right) {
+                        const LightTechnique& right) {
     scene_set_.bind(BINDING_FRAME, frame_);
     scene_set_.bind(BINDING_BVH_NODES, scene.nodes());
     scene_set_.bind(BINDING_BVH_TRIANGLES, scene.triangles());
@@ -79,6 +88,7 @@ void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
     scene_set_.bind(BINDING_LTC, ltc_);
     scene_set_.bind(BINDING_SURFACES, surfaces_);
     scene_set_.bind(BINDING_RADIANCE, radiance_);
+    scene_set_.bind(BINDING_FILTER_INPUT, filter_input_ ? filter_input_ : unused_);
     scene_set_.bind(BINDING_ACCUMULATION, accumulation_);
     scene_set_.bind(BINDING_EXPOSURE, exposure_);
     scene_set_.bind(BINDING_COUNTERS, counters_);
@@ -87,10 +97,10 @@ void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
     // The compute backend's pipelines do not look at this binding.
     if (scene.acceleration_structure() != VK_NULL_HANDLE)
         scene_set_.bind(BINDING_ACCELERATION_STRUCTURE, scene.acceleration_structure());
-    const std::array<const LightTechnique*, most_sides> techniques{&technique, right};
+    const std::array<const LightTechnique*, most_sides> techniques{&technique, &right};
     for (size_t side = 0; side < most_sides; ++side) {
         LightTechnique::Bindings bindings{};
-        if (techniques[side] != nullptr) techniques[side]->bind(bindings);
+        techniques[side]->bind(bindings);
         for (uint32_t i = 0; i < bindings.size(); ++i)
             technique_sets_[side].bind(i, bindings[i] ? *bindings[i] : unused_);
     }
@@ -101,7 +111,7 @@ FrameBuffers::SideInputs FrameBuffers::side(std::span<const PictureSide> sides, 
     const PictureSide& chosen = sides[side];
     return {{scene_set_.handle(), technique_sets_[side].handle(), chosen.guiding},
             {path, paths, chosen.first_column, chosen.end_column, chosen.samples_lights ? 1u : 0u,
-             chosen.guided ? 1u : 0u}};
+             chosen.guided ? 1u : 0u, 0u}};
 }
 
 } // namespace vigil::vkpt

@@ -19,10 +19,12 @@ public:
     /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
     /// too small.
     void resize(glm::uvec2 size);
-    /// Points the sets at the scene's and the technique's buffers; `right` is that of the second
-    /// side, null if there is none. The GPU must be idle.
-    void bind(const Scene& scene, const LightTechnique& technique,
-              const LightTechnique* right = nullptr);
+    /// Makes or gives back what the path tracer writes for the filter. The GPU must be idle, and the
+    /// sets are to be bound anew. Throws Error if the device's buffers are too small.
+    void keep_filter_input(bool keep);
+    /// Points the sets at the scene's and the techniques' buffers; `right` is that of the second
+    /// side. The GPU must be idle.
+    void bind(const Scene& scene, const LightTechnique& technique, const LightTechnique& right);
     /// Records the copy of the frame's parameters.
     void upload(gpu::FrameCommands& commands, const shader::FrameParams& params) const {
         commands.upload(frame_, 0, gpu::bytes_of_value(params));
@@ -52,6 +54,7 @@ public:
     const gpu::Buffer& display() const { return display_; }
     const gpu::Buffer& mean_radiance() const { return accumulation_; }
     const gpu::Buffer& counters() const { return counters_; }
+    const gpu::Buffer& filter_input() const { return filter_input_; }
     const gpu::Buffer& primary_hits() const { return surfaces_; }
     /// Light that arrives at the crosshair, for pt_view cdq: shaders/debug/direction_map.glsl.
     const gpu::Buffer& direction_map() const { return direction_map_; }
@@ -60,7 +63,7 @@ private:
     const gpu::Device& device_;
     glm::uvec2 size_{0, 0};
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
-        display_, ltc_, direction_map_;
+        display_, ltc_, direction_map_, filter_input_;
     gpu::DescriptorSet scene_set_;
     std::array<gpu::DescriptorSet, most_sides> technique_sets_;
     gpu::PipelineLayout layout_;

@@ -23,6 +23,7 @@ struct PathTracerVariant {
 struct PictureSide {
     PathTracerVariant variant;
     bool samples_lights = false;       ///< the technique's promise
+    bool filtered = false;             ///< if the picture is
     bool guided = false;               ///< set 2 is this frame's: views may look into it
     VkDescriptorSet guiding = nullptr; ///< set 2
     uint32_t first_column = 0;

@@ -1,0 +1,73 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `filter_atrous`: one step of an edge-avoiding wavelet filter (Dammertz et al. 2010) whose tolerance for differences in brightness is what
+// noise explains (Schied et al. 2017, section 4.3). It runs several times, over pixels each twice as far apart.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "filter/filter.glsl"
+
+/// Standard deviations around a pixel, smoothed: one pixel's own is itself a guess.
+vec2 smooth_deviation(ivec2 pixel, uint source) {
+    vec2 sum = vec2(0.0);
+    float weights = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const ivec2 at = pixel + ivec2(x, y);
+            if (!inside_picture(at)) continue;
+            const vec2 deviation = unpackHalf2x16(filter_light[source + pixel_index(at)].w);
+            const float weight = (x == 0 ? 2.0 : 1.0) * (y == 0 ? 2.0 : 1.0);
+            sum += weight * deviation * deviation;
+            weights += weight;
+        }
+    return sqrt(sum / weights);
+}
+
+void main() {
+    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (!inside_picture(pixel)) return;
+    const uint index = pixel_index(pixel);
+    const uint source = (filter_step & 1u) * pixel_count();
+    const uint target = pixel_count() - source;
+    const FilterSurface surface = filter_surfaces[this_half() + index];
+    const uvec4 packed = filter_light[source + index];
+    if (surface.depth == 0.0) {
+        filter_light[target + index] = packed;
+        return;
+    }
+    const Light2 middle = unpack_light(packed);
+    const vec3 normal = unpack_normal(surface.normal);
+    const vec3 position = surface.depth * pixel_ray(vec2(pixel), vec2(0.5));
+    const vec2 bright = luminances(middle.direct, middle.indirect);
+    const vec2 tolerance = 1.0 / (frame.settings.flt_sigma * smooth_deviation(pixel, source) + 1e-4 + 1e-3 * bright);
+    const int stride = 1 << filter_step;
+    const float per_plane_distance = 1.0 / (surface.depth * frame.pixel_angle * float(stride));
+
+    const float own = 4.0;
+    vec2 weights = vec2(own);
+    Light2 sum = Light2(own * middle.direct, own * middle.indirect, own * own * middle.deviation * middle.deviation);
+    for (int i = 0; i < 9; ++i) {
+        if (i == 4) continue;
+        const ivec2 step = ivec2(i % 3 - 1, i / 3 - 1);
+        const ivec2 at = pixel + stride * step;
+        if (!inside_picture(at) || (at.x < int(frame.split_column)) != (pixel.x < int(frame.split_column))) continue;
+        const uint there = pixel_index(at);
+        const FilterSurface other = filter_surfaces[this_half() + there];
+        if (other.depth == 0.0) continue;
+        const Light2 light = unpack_light(filter_light[source + there]);
+        // How much the other surface is like this one, and how much its light may be the same.
+        const float aligned = max(dot(unpack_normal(other.normal), normal), 0.0);
+        const float aligned8 = aligned * aligned * aligned * aligned * aligned * aligned * aligned * aligned;
+        const float off_plane = abs(dot(other.depth * pixel_ray(vec2(at), vec2(0.5)) - position, normal)) * per_plane_distance;
+        const float kernel = (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0);
+        const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) * tolerance;
+        const vec2 weight = kernel * aligned8 * aligned8 * aligned8 * aligned8 * exp(-apart - off_plane);
+        sum.direct += weight.x * light.direct;
+        sum.indirect += weight.y * light.indirect;
+        sum.deviation += weight * weight * light.deviation * light.deviation;
+        weights += weight;
+    }
+    sum.direct /= weights.x;
+    sum.indirect /= weights.y;
+    sum.deviation = sqrt(sum.deviation) / weights;
+    filter_light[target + index] = pack_light(sum);
+}

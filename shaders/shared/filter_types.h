@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the filter keeps per pixel (shaders/filter, refresh/vkpt/filter), in scalar layout, and what of it is arithmetic.
+#ifndef VIGIL_SHARED_FILTER_TYPES_H
+#define VIGIL_SHARED_FILTER_TYPES_H
+
+#include "glsl.h"
+
+SHADER_BEGIN
+
+/// What the path tracer writes for the filter: sums over the frame's paths.
+struct FilterInput {
+    vec3 emission; // seen directly
+    vec3 direct;   // light that the primary hit reflects, divided by its filter_albedo()
+    vec3 indirect;
+};
+
+/// What a pixel shows, of this frame and of the one before.
+struct FilterSurface {
+    uint normal; // filter_pack_normal()
+    float depth; // along the camera's forward axis, map units; 0: nothing to filter (sky)
+    uint id;     // instance, and what else light does not mix across
+};
+
+/// Light of a surface, averaged over frames.
+struct FilterHistory {
+    vec3 direct; // mean
+    vec3 indirect;
+    uint second_moments; // packHalf2x16: square roots of the mean squared luminances, direct and indirect
+    uint lengths;        // packHalf2x16: how many frames the means stand for
+};
+
+/// FrameParams::filter_flags
+SHADER_CONST uint FILTER_ON = 1u;      // the path tracer writes FilterInput
+SHADER_CONST uint FILTER_HISTORY = 2u; // the frame before left its half of the buffers
+SHADER_CONST uint FILTER_TAA = 4u;     // camera rays are moved within the pixel from frame to frame
+
+/// Brightest light that the filter keeps: halves end at 65504.
+SHADER_CONST float FILTER_MAX = 60000.0f;
+
+/// What light is divided by before it is filtered, so that textures stay sharp: what a surface reflects of even light, at
+/// least a hundredth.
+SHADER_FN vec3 filter_albedo(vec3 albedo, float f0) { return max(albedo + vec3(f0), vec3(0.01f)); }
+
+SHADER_END
+#endif

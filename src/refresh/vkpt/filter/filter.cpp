@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/vkpt/filter/filter.h"
+
+#include "common/error.h"
+#include "common/log.h"
+
+namespace vigil::vkpt {
+
+namespace {
+
+/// Part number `index` of the Halton sequence of this base, in (0, 1).
+float halton(uint32_t index, uint32_t base) {
+    float part = 1.0f, sum = 0.0f;
+    for (++index; index > 0; index /= base) {
+        part /= static_cast<float>(base);
+        sum += part * static_cast<float>(index % base);
+    }
+    return sum;
+}
+
+/// Points in a pixel, one a frame, after which they repeat: as many as temporal anti-aliasing
+/// remembers.
+constexpr uint32_t pixel_points = 16;
+
+} // namespace
+
+Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, FrameBuffers& buffers)
+    : device_(device), buffers_(buffers),
+      unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      set_(device,
+           std::vector<VkDescriptorType>(FILTER_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+           unused_, "filter set"),
+      layout_(device, {&buffers.scene_set(), &set_}),
+      temporal_(Pass::FilterTemporal, compiler, layout_),
+      atrous_(Pass::FilterAtrous, compiler, layout_),
+      compose_(Pass::FilterCompose, compiler, layout_) {}
+
+bool Filter::wanted(const refresh::Settings& settings) {
+    return settings.flt_enable != 0 && settings.pt_accumulate == 0;
+}
+
+Filter::Kept Filter::make_buffers() const {
+    const uint64_t pixels = uint64_t{buffers_.size().x} * buffers_.size().y;
+    const auto make = [&](uint64_t bytes, const char* name) {
+        return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
+    };
+    return {make(2 * pixels * sizeof(shader::FilterSurface), "filter surfaces"),
+            make(2 * pixels * sizeof(shader::FilterHistory), "filter history"),
+            make(2 * pixels * sizeof(glm::uvec4), "filter light"),
+            make(2 * pixels * sizeof(glm::vec3), "filter resolved")};
+}
+
+bool Filter::prepare(const refresh::Settings& settings) {
+    const bool wanted = Filter::wanted(settings);
+    steps_ = settings.flt_atrous;
+    taa_ = settings.flt_taa != 0;
+    if (failed_ && (!wanted || failed_size_ != buffers_.size())) failed_ = false;
+    const bool on = wanted && !failed_;
+    if (on == on_ && (!on || size_ == buffers_.size())) return false;
+    // Sizes and bindings change: the GPU must be idle.
+    device_.wait_idle();
+    on_ = false;
+    has_past_ = false;
+    kept_ = {};
+    buffers_.keep_filter_input(false);
+    if (!on) return true;
+    try {
+        kept_ = make_buffers();
+        buffers_.keep_filter_input(true);
+        set_.bind(BINDING_FILTER_SURFACES, kept_.surfaces);
+        set_.bind(BINDING_FILTER_HISTORY, kept_.history);
+        set_.bind(BINDING_FILTER_LIGHT, kept_.light);
+        set_.bind(BINDING_FILTER_RESOLVED, kept_.resolved);
+        size_ = buffers_.size();
+        on_ = true;
+    } catch (const Error& error) {
+        log_warning("the picture is not filtered: {}", error.what());
+        kept_ = {};
+        failed_ = true;
+        failed_size_ = buffers_.size();
+    }
+    return true;
+}
+
+void Filter::prepare_pipelines() {
+    if (!on_) return;
+    temporal_.choose();
+    if (steps_ > 0) atrous_.choose();
+    compose_.choose();
+}
+
+void Filter::describe(shader::FrameParams& params) {
+    params.pixel_point = glm::vec2(0.5f);
+    if (!on_) {
+        has_past_ = false;
+        return;
+    }
+    params.filter_flags = shader::FILTER_ON;
+    if (has_past_) params.filter_flags |= shader::FILTER_HISTORY;
+    if (taa_) {
+        params.filter_flags |= shader::FILTER_TAA;
+        const uint32_t point = frame_ % pixel_points;
+        params.pixel_point = {halton(point, 2), halton(point, 3)};
+    }
+    params.filter_half = frame_ & 1;
+    params.last_pixel_point = last_.pixel_point;
+    params.last_camera_origin = last_.camera_origin;
+    params.last_camera_forward = last_.camera_forward;
+    params.last_camera_right = last_.camera_right;
+    params.last_camera_up = last_.camera_up;
+    last_ = params;
+    has_past_ = true;
+    ++frame_;
+}
+
+void Filter::record(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
+                    uint32_t paths) {
+    if (!on_) return;
+    prepare_pipelines();
+    const auto record_pass = [&](const ComputePass& pass, size_t side, int step,
+                                 gpu::WorkGroups groups) {
+        FrameBuffers::SideInputs inputs = buffers_.side(sides, side, paths, paths);
+        inputs.push.filter_step = static_cast<uint32_t>(step);
+        const std::array<VkDescriptorSet, 2> sets{inputs.sets[0], set_.handle()};
+        pass.record(commands, {sets, gpu::bytes_of_value(inputs.push)}, groups);
+    };
+    record_pass(temporal_, 0, 0, buffers_.groups());
+    for (int step = 0; step < steps_; ++step)
+        record_pass(atrous_, 0, step, buffers_.groups());
+    for (size_t side = 0; side < sides.size(); ++side)
+        if (sides[side].filtered && sides[side].first_column < sides[side].end_column)
+            record_pass(compose_, side, steps_, buffers_.groups(sides[side]));
+}
+
+uint64_t Filter::bytes() const {
+    if (!on_) return 0;
+    return buffers_.filter_input().bytes() + kept_.surfaces.bytes() + kept_.history.bytes() +
+           kept_.light.bytes() + kept_.resolved.bytes();
+}
+
+} // namespace vigil::vkpt
