@@ -54,6 +54,7 @@ bool Filter::prepare(const refresh::Settings& settings) {
     const bool wanted = Filter::wanted(settings);
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
+    jitters_ = settings.pt_jitter != 0;
     if (failed_ && (!wanted || failed_size_ != buffers_.size())) failed_ = false;
     const bool on = wanted && !failed_;
     if (on == on_ && (!on || size_ == buffers_.size())) return false;
@@ -100,7 +101,7 @@ void Filter::describe(shader::FrameParams& params) {
     if (taa_) {
         params.filter_flags |= shader::FILTER_TAA;
         const uint32_t point = frame_ % pixel_points;
-        params.pixel_point = {halton(point, 2), halton(point, 3)};
+        if (jitters_) params.pixel_point = {halton(point, 2), halton(point, 3)};
     }
     params.filter_half = frame_ & 1;
     params.last_pixel_point = last_.pixel_point;

@@ -47,6 +47,7 @@ private:
     int steps_ = 0;         // over neighbours
     bool on_ = false;
     bool taa_ = false;
+    bool jitters_ = false; // then, camera rays move within the pixel
     bool failed_ = false; // at failed_size_
     glm::uvec2 failed_size_{0, 0};
     bool has_past_ = false;
