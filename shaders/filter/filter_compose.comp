@@ -16,5 +16,6 @@ void main() {
         const Light2 light = unpack_light(filter_light[(filter_step & 1u) * pixel_count() + index]);
         value += filter_albedo(hit.albedo, unpackHalf2x16(hit.gloss).y) * (light.direct + light.indirect);
     }
-    radiance[index] = value * float(path_count);
+    if ((frame.filter_flags & FILTER_TAA) != 0u) filter_light[composed_index(index)] = uvec4(floatBitsToUint(value), 0u);
+    else radiance[index] = value * float(path_count);
 }

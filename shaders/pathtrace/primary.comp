@@ -61,7 +61,7 @@ void main() {
     primary_hits[index] = stored;
     add_radiance(index, emission, path_index == 0u);
     if (frame.filter_flags != 0u) {
-        FilterInput start = FilterInput(vec3(0.0), vec3(0.0), vec3(0.0));
+        FilterInput start = FilterInput(vec3(0.0), vec3(0.0), vec3(0.0), NONE, NONE);
         if (path_index > 0u) start = filter_input[index];
         start.emission = radiance_sum(start.emission, emission);
         filter_input[index] = start;
