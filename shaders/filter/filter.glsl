@@ -17,13 +17,6 @@ layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY, scalar) restrict buff
 layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT, scalar) restrict buffer FilterLightBlock { uvec4 filter_light[]; }; // pack_light()
 layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED, scalar) restrict buffer FilterResolvedBlock { vec3 filter_resolved[]; };
 
-layout(set = SET_FILTER, binding = BINDING_FILTER_TILES, scalar) restrict buffer FilterTileBlock { vec4 filter_tiles[]; }; // filter_changes.comp
-// By light id, with FILTER_CHANGES: how much it has changed, 0..1 (filter/light_changes.h).
-layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_CHANGES, scalar) restrict readonly buffer LightChangeBlock { float light_changes[]; };
-
-uvec2 change_tiles() { return (frame.size + uint(CHANGE_TILE - 1)) / uint(CHANGE_TILE); }
-float light_change(uint light) { return light < frame.light_count ? light_changes[light] : 0.0; }
-
 uint pixel_count() { return frame.size.x * frame.size.y; }
 uint this_half() { return frame.filter_half * pixel_count(); }
 uint last_half() { return (1u - frame.filter_half) * pixel_count(); }

@@ -53,6 +53,7 @@ void main() {
 
     // The colours around, and the nearest surface there: edges move with what is in front.
     vec3 middle = vec3(0.0), sum = vec3(0.0), squares = vec3(0.0);
+    vec3 darkest = vec3(1e30), brightest = vec3(0.0);
     float count = 0.0, nearest = 1e30;
     ivec2 front = ivec2(pixel);
     for (int y = -1; y <= 1; ++y)
@@ -63,6 +64,8 @@ void main() {
             if (x == 0 && y == 0) middle = color;
             sum += color;
             squares += color * color;
+            darkest = min(darkest, color);
+            brightest = max(brightest, color);
             count += 1.0;
             const float depth = filter_surfaces[this_half() + pixel_index(at)].depth;
             if (depth > 0.0 && depth < nearest) {
@@ -78,7 +81,7 @@ void main() {
     vec3 before;
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
         resolved_before(vec2(pixel) + 0.5 + place - (vec2(front) + frame.pixel_point), factor, before))
-        value = mix(clamp(before, mean - allowed, mean + allowed), middle, NEW_PART);
+        value = mix(clamp(before, max(mean - allowed, darkest), min(mean + allowed, brightest)), middle, NEW_PART);
     value = expand(max(value, vec3(0.0)), factor);
     if (!is_finite_nonnegative(value)) value = vec3(0.0);
     filter_resolved[this_half() + index] = value;

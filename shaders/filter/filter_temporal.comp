@@ -5,52 +5,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "filter/past.glsl"
+#include "filter/tiles.glsl"
 
 const float YOUNG = 4.0;  // frames; a shorter past does not say how much light varies
-const int NEIGHBOURS = 2; // pixels in each direction, that are asked then
-
-/// What the neighbours' samples of this frame say; luminances, direct and indirect.
-struct Neighbourhood {
-    vec2 brightest;      // without the pixel itself
-    vec2 second_moments; // means of squares, with it
-};
-
-vec2 sample_brightness(uint index) {
-    return min(luminances(filter_input[index].direct, filter_input[index].indirect) / float(path_count), vec2(FILTER_MAX));
-}
-
-Neighbourhood look_around(ivec2 pixel, PrimaryHit hit) {
-    Neighbourhood seen = Neighbourhood(vec2(0.0), vec2(0.0));
-    float count = 0.0;
-    for (int y = -NEIGHBOURS; y <= NEIGHBOURS; ++y)
-        for (int x = -NEIGHBOURS; x <= NEIGHBOURS; ++x) {
-            const ivec2 at = pixel + ivec2(x, y);
-            if (!inside_picture(at)) continue;
-            const uint index = pixel_index(at);
-            if (primary_hits[index].primitive == NONE || dot(primary_hits[index].normal, hit.normal) < 0.5) continue;
-            const vec2 bright = sample_brightness(index);
-            if (x != 0 || y != 0) seen.brightest = max(seen.brightest, bright);
-            seen.second_moments += bright * bright;
-            count += 1.0;
-        }
-    seen.second_moments /= max(count, 1.0);
-    return seen;
-}
 
 vec3 dim(vec3 light, float limit) {
     const float bright = luminance(light);
     return bright > limit ? light * (limit / bright) : light;
-}
-
-/// Part of the light around a pixel that comes from lamps that have changed, in tiles `apart` from each other.
-vec2 changed_around(ivec2 pixel, int apart) {
-    vec4 sum = vec4(0.0);
-    const ivec2 tiles = ivec2(change_tiles());
-    for (int i = 0; i < 9; ++i) {
-        const ivec2 tile = clamp(pixel / CHANGE_TILE + apart * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), tiles - 1);
-        sum += filter_tiles[tile.y * tiles.x + tile.x];
-    }
-    return sum.xz / max(sum.yw, vec2(1e-6));
 }
 
 void main() {
@@ -80,14 +41,13 @@ void main() {
     if ((frame.filter_flags & FILTER_CHANGES) != 0u)
         changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
     past.frames *= vec2(1.0) - step(vec2(0.95), changed);
-    const bvec2 young = lessThan(past.frames, vec2(YOUNG));
-    Neighbourhood around = Neighbourhood(vec2(0.0), vec2(0.0));
-    if (any(young)) around = look_around(ivec2(pixel), hit);
+    const FilterTile around = brightness_around(ivec2(pixel));
+    const vec2 past_mean = luminances(past.direct, past.indirect);
     vec2 limits = vec2(FILTER_MAX);
     if (frame.settings.flt_firefly > 0.0) {
-        const vec2 mean = luminances(past.direct, past.indirect);
-        const vec2 known = mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - mean * mean, vec2(0.0)));
-        limits = min(limits, mix(known, around.brightest, young));
+        const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
+        const vec2 by_tiles = around.mean + frame.settings.flt_firefly * sqrt(max(around.second_moments - around.mean * around.mean, vec2(0.0)));
+        limits = min(limits, max(by_past, by_tiles));
     }
     direct = dim(direct, limits.x);
     indirect = dim(indirect, limits.y);
@@ -104,7 +64,8 @@ void main() {
     joined.lengths = packHalf2x16(1.0 / part);
     filter_history[this_half() + index] = joined;
 
-    // How far the means may be off: from their own past, or, while that is short, from the neighbours.
+    // How far the means may be off: from their own past, or, while that is short, from the tiles around.
+    const bvec2 young = lessThan(frames, vec2(YOUNG));
     const vec2 mean = luminances(joined.direct, joined.indirect);
     const vec2 known = max(second_moments - mean * mean, vec2(0.0));
     const vec2 variance = mix(known, max(known, around.second_moments), young) * part;

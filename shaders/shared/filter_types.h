@@ -41,8 +41,13 @@ SHADER_CONST uint FILTER_TAA = 4u;     // camera rays are moved within the pixel
 
 SHADER_CONST uint FILTER_CHANGES = 8u; // a lamp has changed since the frame before
 
-/// Pixels along the side of a tile of pass `filter_changes`.
-SHADER_CONST int CHANGE_TILE = 4;
+/// What is known of the samples in a square of FILTER_TILE pixels; luminances of light without albedo.
+struct FilterTile {
+    vec4 changed;        // sums of two frames: of lamps that have changed, direct and indirect; of all
+    vec2 mean;           // direct and indirect
+    vec2 second_moments; // means of squares
+};
+SHADER_CONST int FILTER_TILE = 4;
 
 /// Brightest light that the filter keeps: halves end at 65504.
 SHADER_CONST float FILTER_MAX = 60000.0f;

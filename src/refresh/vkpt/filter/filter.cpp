@@ -22,8 +22,8 @@ float halton(uint32_t index, uint32_t base) {
 /// remembers.
 constexpr uint32_t pixel_points = 16;
 
-glm::uvec2 change_tiles(glm::uvec2 size) {
-    constexpr auto edge = static_cast<uint32_t>(shader::CHANGE_TILE);
+glm::uvec2 filter_tiles(glm::uvec2 size) {
+    constexpr auto edge = static_cast<uint32_t>(shader::FILTER_TILE);
     return (size + (edge - 1)) / edge;
 }
 
@@ -36,7 +36,7 @@ Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, Frame
            std::vector<VkDescriptorType>(FILTER_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
            unused_, "filter set"),
       layout_(device, {&buffers.scene_set(), &set_}), light_changes_(device, "light changes"),
-      changes_pass_(Pass::FilterChanges, compiler, layout_),
+      tiles_(Pass::FilterTiles, compiler, layout_),
       temporal_(Pass::FilterTemporal, compiler, layout_),
       atrous_(Pass::FilterAtrous, compiler, layout_),
       compose_(Pass::FilterCompose, compiler, layout_),
@@ -53,7 +53,7 @@ bool Filter::wanted(const refresh::Settings& settings) {
 
 Filter::Kept Filter::make_buffers() const {
     const uint64_t pixels = uint64_t{buffers_.size().x} * buffers_.size().y;
-    const glm::uvec2 tiles = change_tiles(buffers_.size());
+    const glm::uvec2 tiles = filter_tiles(buffers_.size());
     const auto make = [&](uint64_t bytes, const char* name) {
         return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
     };
@@ -61,7 +61,7 @@ Filter::Kept Filter::make_buffers() const {
             make(2 * pixels * sizeof(shader::FilterHistory), "filter history"),
             make(2 * pixels * sizeof(glm::uvec4), "filter light"),
             make(2 * pixels * sizeof(glm::vec3), "filter resolved"),
-            make(uint64_t{tiles.x} * tiles.y * sizeof(glm::vec4), "filter tiles")};
+            make(uint64_t{tiles.x} * tiles.y * sizeof(shader::FilterTile), "filter tiles")};
 }
 
 bool Filter::prepare(const refresh::Settings& settings, const LightSet& lights) {
@@ -111,7 +111,7 @@ bool Filter::follow(const refresh::Settings& settings) {
 
 void Filter::prepare_pipelines() {
     if (!on_) return;
-    if (changed_) changes_pass_.choose();
+    tiles_.choose();
     if (taa_) taa_pass_.choose();
     temporal_.choose();
     if (steps_ > 0) atrous_.choose();
@@ -154,11 +154,8 @@ void Filter::record(gpu::FrameCommands& commands, std::span<const PictureSide> s
         const std::array<VkDescriptorSet, 2> sets{inputs.sets[0], set_.handle()};
         pass.record(commands, {sets, gpu::bytes_of_value(inputs.push)}, groups);
     };
-    if (changed_) {
-        light_changes_.upload(commands);
-        record_pass(changes_pass_, 0, 0,
-                    {{(change_tiles(buffers_.size()) + 7u) / 8u, 1}});
-    }
+    if (changed_) light_changes_.upload(commands);
+    record_pass(tiles_, 0, 0, {{(filter_tiles(buffers_.size()) + 7u) / 8u, 1}});
     record_pass(temporal_, 0, 0, buffers_.groups());
     for (int step = 0; step < steps_; ++step)
         record_pass(atrous_, 0, step, buffers_.groups());

@@ -46,7 +46,7 @@ private:
     gpu::DescriptorSet set_;
     gpu::PipelineLayout layout_;
     gpu::GrowingBuffer light_changes_;
-    ComputePass changes_pass_, temporal_, atrous_, compose_, taa_pass_;
+    ComputePass tiles_, temporal_, atrous_, compose_, taa_pass_;
     LightChanges changes_;
     bool changed_ = false; // a lamp, in the frame that was prepared last
     glm::uvec2 size_{0, 0}; // that the buffers are for

@@ -34,7 +34,7 @@ enum class Waits {
     ROW(Direct, "direct", PathTracing, Shaders) /* next event estimation at the primary hit */ \
     ROW(Indirect, "indirect", PathTracing, Shaders) /* BRDF rays and next event estimation where they land */ \
     ROW(DirectionMap, "direction_map", Other, Shaders) /* radiance that arrives at the crosshair, for pt_view cdq */ \
-    ROW(FilterChanges, "filter_changes", Filter, Copies) /* where light comes from lamps that have changed */ \
+    ROW(FilterTiles, "filter_tiles", Filter, Copies) /* how bright light is around, and where lamps have changed */ \
     ROW(FilterTemporal, "filter_temporal", Filter, Shaders) /* light of this frame and of those before */ \
     ROW(FilterAtrous, "filter_atrous", Filter, Shaders) /* light of neighbouring pixels, several times */ \
     ROW(FilterCompose, "filter_compose", Filter, Shaders) /* light on the surfaces' colours */ \
