@@ -66,7 +66,8 @@ vec3 last_pixel_ray(vec2 pixel) {
 bool project_last(vec3 offset, out vec2 place) {
     const float depth = dot(offset, frame.last_camera_forward);
     const vec2 screen = vec2(dot(offset, frame.last_camera_right) / dot(frame.last_camera_right, frame.last_camera_right),
-                             -dot(offset, frame.last_camera_up) / dot(frame.last_camera_up, frame.last_camera_up)) / depth;
+                             -dot(offset, frame.last_camera_up) / dot(frame.last_camera_up, frame.last_camera_up)) /
+                        depth;
     place = (0.5 * screen + 0.5) * vec2(frame.size);
     return depth > 0.0;
 }

@@ -9,7 +9,7 @@
 #include "post/picture.glsl"
 #include "shared/firewall.h"
 
-const float NEW_PART = 0.1;  // of this frame in the mean
+const float NEW_PART = 0.1;    // of this frame in the mean
 const float DEVIATIONS = 1.25; // that the mean may be off the colours around
 
 /// Bright pixels count less than their radiance, so that edges next to lamps are smooth as well. To and fro.
@@ -75,13 +75,16 @@ void main() {
         }
     const vec3 mean = sum / count;
     const vec3 allowed = DEVIATIONS * sqrt(max(squares / count - mean * mean, vec3(0.0)));
+    // The pixel's own colour is always allowed: small lamps are far from the mean.
+    darkest = min(max(mean - allowed, darkest), middle);
+    brightest = max(min(mean + allowed, brightest), middle);
 
     vec3 value = middle;
     vec2 place;
     vec3 before;
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
         resolved_before(vec2(pixel) + 0.5 + place - (vec2(front) + frame.pixel_point), factor, before))
-        value = mix(clamp(before, max(mean - allowed, darkest), min(mean + allowed, brightest)), middle, NEW_PART);
+        value = mix(clamp(before, darkest, brightest), middle, NEW_PART);
     value = expand(max(value, vec3(0.0)), factor);
     if (!is_finite_nonnegative(value)) value = vec3(0.0);
     filter_resolved[this_half() + index] = value;

@@ -27,7 +27,9 @@ void main() {
             tile.second_moments += bright * bright;
             count += 1.0;
             if (changes)
-                tile.changed += vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)), bright);
+                tile.changed +=
+                    vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)),
+                         bright);
         }
         if (!changes || (frame.filter_flags & FILTER_HISTORY) == 0u) continue;
         const FilterSurface last = filter_surfaces[last_half() + index];

@@ -12,15 +12,15 @@ struct FilterInput {
     vec3 emission; // seen directly
     vec3 direct;   // light that the primary hit reflects, divided by its filter_albedo()
     vec3 indirect;
-    uint direct_light; // id of the light that the first path's sample drew at the primary hit, or NONE
+    uint direct_light;   // id of the light that the first path's sample drew at the primary hit, or NONE
     uint indirect_light; // the same where its first indirect ray ended
 };
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {
-    uint normal; // filter_pack_normal()
-    float depth; // along the camera's forward axis, map units; 0: nothing to filter (sky)
-    uint id;     // instance
+    uint normal;       // filter_pack_normal()
+    float depth;       // along the camera's forward axis, map units; 0: nothing to filter (sky)
+    uint id;           // instance
     uint direct_light; // as FilterInput
     uint indirect_light;
     uint brightness; // packHalf2x16: luminances of the frame's samples, direct and indirect

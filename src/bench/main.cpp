@@ -2,8 +2,8 @@
 // The program `vigil_bench`: measurements by name. A benchmark is a row of the table; everything
 // else about it is in its own file.
 #include "bench/benches.h"
-#include "console/cvar.h"
 #include "bench/plan.h"
+#include "console/cvar.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -59,7 +59,8 @@ int main(int argc, char** argv) {
         command->callback([&, command] { status = bench.run(command->remaining()); });
     }
     try {
-        vigil::cvars().set("flt_enable", "0"); // what is measured is raw, unless a row says otherwise
+        vigil::cvars().set("flt_enable",
+                           "0"); // what is measured is raw, unless a row says otherwise
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) fmt::print("{}", app.help());
         return status;

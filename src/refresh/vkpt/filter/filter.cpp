@@ -30,8 +30,7 @@ glm::uvec2 filter_tiles(glm::uvec2 size) {
 } // namespace
 
 Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, FrameBuffers& buffers)
-    : device_(device), buffers_(buffers),
-      unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+    : device_(device), buffers_(buffers), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       set_(device,
            std::vector<VkDescriptorType>(FILTER_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
            unused_, "filter set"),
@@ -66,8 +65,8 @@ Filter::Kept Filter::make_buffers() const {
 
 bool Filter::prepare(const refresh::Settings& settings, const LightSet& lights) {
     const bool rebind = follow(settings);
-    changed_ = on_ && settings.flt_antilag != 0 &&
-               changes_.update(lights.lights(), lights.revision());
+    changed_ =
+        on_ && settings.flt_antilag != 0 && changes_.update(lights.lights(), lights.revision());
     if (changed_ && light_changes_.set(std::as_bytes(changes_.factors()))) {
         device_.wait_idle();
         set_.bind(BINDING_FILTER_LIGHT_CHANGES, light_changes_.buffer());
@@ -119,7 +118,6 @@ void Filter::prepare_pipelines() {
 }
 
 void Filter::describe(shader::FrameParams& params) {
-    params.pixel_point = glm::vec2(0.5f);
     if (!on_) {
         has_past_ = false;
         return;

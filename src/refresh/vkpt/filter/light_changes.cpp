@@ -25,7 +25,8 @@ bool LightChanges::update(std::span<const shader::Light> lights, uint64_t revisi
     bool any = false;
     factors_.assign(lights.size(), 0.0f);
     for (size_t id = 0; id < lights.size() && !first; ++id) {
-        factors_[id] = light_change(id < before_.size() ? before_[id] : shader::Light{}, lights[id]);
+        factors_[id] =
+            light_change(id < before_.size() ? before_[id] : shader::Light{}, lights[id]);
         any = any || factors_[id] > 0.0f;
     }
     before_.assign(lights.begin(), lights.end());

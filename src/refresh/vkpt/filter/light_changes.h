@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How much every light differs from what it was a frame ago, for the filter's memory of light. No GPU.
+// How much every light differs from what it was a frame ago, for the filter's memory of light. No
+// GPU.
 #pragma once
 
 #include "shared/scene_types.h"
@@ -16,8 +17,8 @@ float light_change(const shader::Light& before, const shader::Light& now);
 
 class LightChanges {
 public:
-    /// Takes the lights of a frame; their `revision` grows with every change. Returns whether any has
-    /// changed since the frame before.
+    /// Takes the lights of a frame; their `revision` grows with every change. Returns whether any
+    /// has changed since the frame before.
     bool update(std::span<const shader::Light> lights, uint64_t revision);
     /// By light id, of the last update that returned true.
     std::span<const float> factors() const { return factors_; }
