@@ -79,12 +79,16 @@ void main() {
     darkest = min(max(mean - allowed, darkest), middle);
     brightest = max(min(mean + allowed, brightest), middle);
 
+    // Light that is new, at a place or altogether, is shown at once.
+    float new_part = NEW_PART;
+    if (filter_surfaces[this_half() + index].depth > 0.0)
+        new_part = max(NEW_PART, 1.0 / max(unpackHalf2x16(filter_history[this_half() + index].lengths).x, 1.0));
     vec3 value = middle;
     vec2 place;
     vec3 before;
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
         resolved_before(vec2(pixel) + 0.5 + place - (vec2(front) + frame.pixel_point), factor, before))
-        value = mix(clamp(before, darkest, brightest), middle, NEW_PART);
+        value = mix(clamp(before, darkest, brightest), middle, new_part);
     value = expand(max(value, vec3(0.0)), factor);
     if (!is_finite_nonnegative(value)) value = vec3(0.0);
     filter_resolved[this_half() + index] = value;

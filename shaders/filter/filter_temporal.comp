@@ -47,7 +47,8 @@ void main() {
         const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
         const vec2 by_tiles =
             around.mean + frame.settings.flt_firefly * sqrt(max(around.second_moments - around.mean * around.mean, vec2(0.0)));
-        limits = min(limits, max(by_past, by_tiles));
+        // What was seen before says little about lamps that have just come.
+        limits = mix(min(limits, max(by_past, by_tiles)), limits, greaterThan(changed, vec2(0.1)));
     }
     direct = dim(direct, limits.x);
     indirect = dim(indirect, limits.y);

@@ -49,6 +49,13 @@ TEST(LightChanges, KnowTheFrameBefore) {
     ASSERT_TRUE(changes.update(more, 2));
     EXPECT_EQ(std::vector<float>(changes.factors().begin(), changes.factors().end()),
               (std::vector<float>{0.0f, 0.5f, 1.0f}));
+    // A change lasts for some frames.
+    ASSERT_TRUE(changes.update(more, 2));
+    EXPECT_EQ(std::vector<float>(changes.factors().begin(), changes.factors().end()),
+              (std::vector<float>{0.0f, 0.25f, 0.5f}));
+    for (int frame = 0; frame < 5; ++frame)
+        changes.update(more, 2);
+    EXPECT_FALSE(changes.update(more, 2));
     EXPECT_FALSE(changes.update(more, 3)) << "a revision without a difference";
     changes.forget();
     EXPECT_FALSE(changes.update(first, 4));

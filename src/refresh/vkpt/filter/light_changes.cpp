@@ -6,6 +6,13 @@
 
 namespace vigil::vkpt {
 
+namespace {
+
+/// Changes below it are over.
+constexpr float least_change = 0.05f;
+
+} // namespace
+
 float light_change(const shader::Light& before, const shader::Light& now) {
     float greatest = 0.0f, difference = 0.0f;
     for (int channel = 0; channel < 3; ++channel) {
@@ -19,23 +26,29 @@ float light_change(const shader::Light& before, const shader::Light& now) {
 }
 
 bool LightChanges::update(std::span<const shader::Light> lights, uint64_t revision) {
-    if (revision == revision_) return false;
+    if (revision == revision_ && !lasting_) return false;
     const bool first = revision_ == 0;
-    revision_ = revision;
-    bool any = false;
-    factors_.assign(lights.size(), 0.0f);
-    for (size_t id = 0; id < lights.size() && !first; ++id) {
-        factors_[id] =
-            light_change(id < before_.size() ? before_[id] : shader::Light{}, lights[id]);
-        any = any || factors_[id] > 0.0f;
+    factors_.resize(lights.size());
+    lasting_ = false;
+    for (size_t id = 0; id < lights.size(); ++id) {
+        float& factor = factors_[id];
+        factor = factor > least_change ? 0.5f * factor : 0.0f;
+        if (revision != revision_ && !first)
+            factor =
+                std::max(factor, light_change(id < before_.size() ? before_[id] : shader::Light{},
+                                              lights[id]));
+        lasting_ = lasting_ || factor > 0.0f;
     }
-    before_.assign(lights.begin(), lights.end());
-    return any;
+    if (revision != revision_) before_.assign(lights.begin(), lights.end());
+    revision_ = revision;
+    return lasting_;
 }
 
 void LightChanges::forget() {
     revision_ = 0;
+    lasting_ = false;
     before_.clear();
+    factors_.clear();
 }
 
 } // namespace vigil::vkpt

@@ -18,7 +18,8 @@ float light_change(const shader::Light& before, const shader::Light& now);
 class LightChanges {
 public:
     /// Takes the lights of a frame; their `revision` grows with every change. Returns whether any
-    /// has changed since the frame before.
+    /// has changed since the frame before, or just before that: a change lasts, halved from frame
+    /// to frame, because few samples find it in the first.
     bool update(std::span<const shader::Light> lights, uint64_t revision);
     /// By light id, of the last update that returned true.
     std::span<const float> factors() const { return factors_; }
@@ -29,6 +30,7 @@ private:
     std::vector<shader::Light> before_;
     std::vector<float> factors_;
     uint64_t revision_ = 0;
+    bool lasting_ = false; // some factor is above 0
 };
 
 } // namespace vigil::vkpt
