@@ -67,7 +67,6 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
-    filter_.forget();
     frame_unfinished_ = false; // everything is copied anew
     shown_ = {};
     guiding_work_ = {};
@@ -76,6 +75,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
 
 void VkptRenderer::reset_guiding() {
     if (!scene_) return;
+    filter_.forget();
     reset_side(left_);
     if (right_) reset_side(*right_);
 }

@@ -60,8 +60,8 @@ private:
     bool failed_ = false;  // at failed_size_
     glm::uvec2 failed_size_{0, 0};
     bool has_past_ = false;
-    uint32_t frame_ = 0;       // counts filtered frames
-    shader::FrameParams last_; // of the frame before
+    uint32_t frame_ = 0;         // counts filtered frames
+    shader::FrameParams last_{}; // of the frame before
 };
 
 } // namespace vigil::vkpt
