@@ -6,8 +6,8 @@
 #include "shared/extensions.glsl"
 #include "filter/filter.glsl"
 
-/// Standard deviations around a pixel, smoothed: one pixel's own is itself a guess.
-vec2 smooth_deviation(ivec2 pixel, uint source) {
+/// Variances around a pixel, smoothed: one pixel's own is itself a guess.
+vec2 smooth_variance(ivec2 pixel, uint source) {
     vec2 sum = vec2(0.0);
     float weights = 0.0;
     for (int y = -1; y <= 1; ++y)
@@ -19,7 +19,7 @@ vec2 smooth_deviation(ivec2 pixel, uint source) {
             sum += weight * deviation * deviation;
             weights += weight;
         }
-    return sqrt(sum / weights);
+    return sum / weights;
 }
 
 void main() {
@@ -38,7 +38,7 @@ void main() {
     const vec3 normal = unpack_normal(surface.normal);
     const vec3 position = surface.depth * pixel_ray(vec2(pixel), vec2(0.5));
     const vec2 bright = luminances(middle.direct, middle.indirect);
-    const vec2 tolerance = 1.0 / (frame.settings.flt_sigma * smooth_deviation(pixel, source) + 1e-4 + 1e-3 * bright);
+    const vec2 variance = smooth_variance(pixel, source);
     const int stride = 1 << filter_step;
     const float per_plane_distance = 1.0 / (surface.depth * frame.pixel_angle * float(stride));
 
@@ -60,7 +60,9 @@ void main() {
         const float aligned8 = aligned2 * aligned2 * aligned2 * aligned2;
         const float off_plane = abs(dot(other.depth * pixel_ray(vec2(at), vec2(0.5)) - position, normal)) * per_plane_distance;
         const float kernel = (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0);
-        const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) * tolerance;
+        // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.
+        const vec2 noise = sqrt(variance + light.deviation * light.deviation);
+        const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
         const vec2 weight = kernel * aligned8 * aligned8 * exp(-apart - off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
