@@ -71,6 +71,7 @@ REFERENCE = part("reference", "tests/bench/reference_test.cpp", "src/bench/refer
 # Validation takes time, and notices other faults.
 GUIDING = whole("guiding", "guiding_passes_test", VIGIL_VALIDATION="0")
 ANALYTIC = whole("vkpt", "vkpt_analytic_test", VIGIL_VALIDATION="0")
+FILTER = whole("vkpt", "vkpt_filter_test", VIGIL_VALIDATION="0")
 TECHNIQUE = whole("vkpt", "vkpt_technique_test", VIGIL_VALIDATION="0")
 CONVERGENCE = whole("vkpt", "vkpt_convergence_test", VIGIL_VALIDATION="0")
 VIEWS = whole("vkpt", "vkpt_view_test", VIGIL_VALIDATION="0")
@@ -351,8 +352,7 @@ FAULTS = [
           "(meets_sun(direction) ? frame.sun_radiance : vec3(0.0))",
           "(meets_sun(direction) ? 1.05 * frame.sun_radiance : vec3(0.0))", ANALYTIC, "Analytic.SunOverACourt"),
     Fault("light where rays end lacks 4%", "shaders/pathtrace/indirect_ray.glsl",
-          "end.brought += next_event_estimate(end.surface, ray_follows, random).radiance;",
-          "end.brought += 0.96 * next_event_estimate(end.surface, ray_follows, random).radiance;",
+          "end.brought += direct.radiance;", "end.brought += 0.96 * direct.radiance;",
           ANALYTIC, "Analytic.WhiteFurnaceWhereRaysEnd"),
     Fault("mixture of rays: the BRDF's part counts 4% too unlikely", "shaders/pathtrace/indirect_ray.glsl",
           "direction), seen.pdf, brdf_part);", "direction), seen.pdf, 0.96 * brdf_part);",
@@ -363,6 +363,14 @@ FAULTS = [
     Fault("mixture of rays: 4% too few by the BRDF", "shaders/pathtrace/indirect_ray.glsl",
           "if (random_next(random) < brdf_part)", "if (random_next(random) < 0.96 * brdf_part)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
+
+    # The filter.
+    Fault("filtered surfaces lack 4% of their light", "shaders/filter/filter_compose.comp",
+          "* (light.direct + light.indirect);", "* 0.96 * (light.direct + light.indirect);", FILTER,
+          "Filter.MakesACalmPictureOfTheSameLight"),
+    Fault("the filter knows lamps that move alone, none that go", "src/refresh/vkpt/filter/light_changes.cpp",
+          "return moved ? 1.0f : difference / greatest;", "return moved ? 1.0f : 0.0f;", FILTER,
+          "Filter.ForgetsALampThatIsGone"),
 
     # Sky and sun as lights.
     Fault("the sun sends 3% too much by light samples", "src/refresh/vkpt/scene/sun.cpp",
