@@ -82,6 +82,7 @@ protected:
 
 TEST_F(Filter, MakesACalmPictureOfTheSameLight) {
     load("rooms");
+    set("pt_nee", "sll");
     set("flt_firefly", "0"); // which takes light away
     next(31);
     const double raw_flicker = flicker(16);
