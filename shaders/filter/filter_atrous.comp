@@ -62,7 +62,8 @@ void main() {
         const float kernel = (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0);
         // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.
         const vec2 noise = sqrt(variance + light.deviation * light.deviation);
-        const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
+        const vec2 apart =
+            abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
         const vec2 weight = kernel * aligned8 * aligned8 * exp(-apart - off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
