@@ -67,7 +67,7 @@ TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
     ASSERT_EQ(run("+map ring +record ring ring"), 0) << errors_;
     shorten("ring", "short", 20);
     // Two runs of the program, and two repetitions in one.
-    const std::string plain = "+set pt_nee sll +set pt_guide brdf +set timedemo ";
+    const std::string plain = "+set flt_enable 0 +set pt_nee sll +set pt_guide brdf +set timedemo ";
     ASSERT_EQ(run(plain + "1 +demomap short a 5"), 0) << errors_;
     ASSERT_EQ(run(plain + "2 +demomap short b 5"), 0) << errors_;
     EXPECT_NE(output_.find("all 2 together: 40 frames"), std::string::npos) << output_;
