@@ -78,7 +78,7 @@ TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
     }
     // What guiding learns depends on the order in which threads store samples: docs/playing.md.
     const std::string guided =
-        "+set vk_validation 2 +set pt_nee vlc +set pt_guide cdq +set timedemo 2 ";
+        "+set flt_enable 0 +set vk_validation 2 +set pt_nee vlc +set pt_guide cdq +set timedemo 2 ";
     ASSERT_EQ(run(guided + "+demomap short c 5"), 0) << errors_;
     for (int i = 0; i < 4; ++i) {
         const Image first = picture(fmt::format("c_{:03}.png", i));

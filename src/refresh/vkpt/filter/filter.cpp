@@ -43,6 +43,7 @@ Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, Frame
 
 void Filter::forget() {
     has_past_ = false;
+    frame_ = 0; // the same points in pixels again
     changes_.forget();
 }
 
