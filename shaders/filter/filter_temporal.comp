@@ -17,7 +17,7 @@ vec3 dim(vec3 light, float limit) {
 void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
-    const uint index = pixel.y * frame.size.x + pixel.x;
+    const uint index = pixel_index(ivec2(pixel));
     const PrimaryHit hit = primary_hits[index];
     FilterSurface surface = FilterSurface(0u, 0.0, 0u, NONE, NONE, 0u);
     if (hit.primitive == NONE) {

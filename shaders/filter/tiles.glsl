@@ -6,7 +6,7 @@
 #include "filter/filter.glsl"
 
 layout(set = SET_FILTER, binding = BINDING_FILTER_TILES, scalar) restrict buffer FilterTileBlock { FilterTile filter_tiles[]; };
-// By light id, with FILTER_CHANGES: how much it has changed, 0..1 (filter/light_changes.h).
+// By light id, with FILTER_CHANGES: how much it has changed, 0..1 (light/light_changes.h).
 layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_CHANGES, scalar) restrict readonly buffer LightChangeBlock {
     float light_changes[];
 };

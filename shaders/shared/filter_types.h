@@ -4,6 +4,7 @@
 #define VIGIL_SHARED_FILTER_TYPES_H
 
 #include "glsl.h"
+#include "scene_types.h"
 
 SHADER_BEGIN
 
@@ -18,7 +19,7 @@ struct FilterInput {
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {
-    uint normal;       // filter_pack_normal()
+    uint normal;       // pack_normal() of filter/filter.glsl
     float depth;       // along the camera's forward axis, map units; 0: nothing to filter (sky)
     uint id;           // instance
     uint direct_light; // as FilterInput
@@ -54,7 +55,7 @@ SHADER_CONST float FILTER_MAX = 60000.0f;
 
 /// What light is divided by before it is filtered, so that textures stay sharp: what a surface reflects of even light, at
 /// least a hundredth.
-SHADER_FN vec3 filter_albedo(vec3 albedo, float f0) { return max(albedo + vec3(f0), vec3(0.01f)); }
+SHADER_FN vec3 filter_albedo(PrimaryHit hit) { return max(hit.albedo + unpackHalf2x16(hit.gloss).y, vec3(0.01f)); }
 
 SHADER_END
 #endif

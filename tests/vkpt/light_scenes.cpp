@@ -304,7 +304,7 @@ void add_lamp(LightScene& scene, int value) {
 LightScene sky_and_sun() {
     LightScene scene = court("SkyAndSun", {});
     scene.size = {24, 16};
-    add_lamp(scene, 200);
+    scene.shot.dynamic_lights = {{7, {-60, 40, 60}, 16.0f, {10, 10, 30}}};
     return scene;
 }
 

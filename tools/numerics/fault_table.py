@@ -368,8 +368,8 @@ FAULTS = [
     Fault("filtered surfaces lack 4% of their light", "shaders/filter/filter_compose.comp",
           "* (light.direct + light.indirect);", "* 0.96 * (light.direct + light.indirect);", FILTER,
           "Filter.MakesACalmPictureOfTheSameLight"),
-    Fault("the filter knows lamps that move alone, none that go", "src/refresh/vkpt/filter/light_changes.cpp",
-          "return moved ? 1.0f : difference / greatest;", "return moved ? 1.0f : 0.0f;", FILTER,
+    Fault("the filter knows lamps that move alone, none that go", "src/refresh/vkpt/light/light_changes.cpp",
+          "same_place(before, now) ? difference / greatest : 1.0f", "same_place(before, now) ? 0.0f : 1.0f", FILTER,
           "Filter.ForgetsALampThatIsGone"),
 
     # Sky and sun as lights.

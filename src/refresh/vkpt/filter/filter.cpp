@@ -80,8 +80,8 @@ bool Filter::follow(const refresh::Settings& settings) {
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
     jitters_ = settings.pt_jitter != 0;
-    if (failed_ && (!wanted || failed_size_ != buffers_.size())) failed_ = false;
-    const bool on = wanted && !failed_;
+    if (!wanted || failed_size_ != buffers_.size()) failed_size_.reset();
+    const bool on = wanted && !failed_size_;
     if (on == on_ && (!on || size_ == buffers_.size())) return false;
     // Sizes and bindings change: the GPU must be idle.
     device_.wait_idle();
@@ -103,7 +103,6 @@ bool Filter::follow(const refresh::Settings& settings) {
     } catch (const Error& error) {
         log_warning("the picture is not filtered: {}", error.what());
         kept_ = {};
-        failed_ = true;
         failed_size_ = buffers_.size();
     }
     return true;

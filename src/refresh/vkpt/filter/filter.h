@@ -4,9 +4,11 @@
 // that, and exists on the GPU only while it is on.
 #pragma once
 
-#include "refresh/vkpt/filter/light_changes.h"
 #include "refresh/vkpt/gpu/growing_buffer.h"
+#include "refresh/vkpt/light/light_changes.h"
 #include "refresh/vkpt/pathtrace/frame_buffers.h"
+
+#include <optional>
 
 namespace vigil::vkpt {
 
@@ -56,9 +58,8 @@ private:
     int steps_ = 0;         // over neighbours
     bool on_ = false;
     bool taa_ = false;
-    bool jitters_ = false; // then, camera rays move within the pixel
-    bool failed_ = false;  // at failed_size_
-    glm::uvec2 failed_size_{0, 0};
+    bool jitters_ = false;                  // then, camera rays move within the pixel
+    std::optional<glm::uvec2> failed_size_; // that memory did not suffice for
     bool has_past_ = false;
     uint32_t frame_ = 0;         // counts filtered frames
     shader::FrameParams last_{}; // of the frame before

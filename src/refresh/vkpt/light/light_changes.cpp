@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/filter/light_changes.h"
+#include "refresh/vkpt/light/light_changes.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace vigil::vkpt {
+namespace vigil {
 
 namespace {
 
@@ -12,6 +12,10 @@ namespace {
 constexpr float least_change = 0.05f;
 
 } // namespace
+
+bool same_place(const shader::Light& a, const shader::Light& b) {
+    return a.v0 == b.v0 && a.e1 == b.e1 && a.e2 == b.e2;
+}
 
 float light_change(const shader::Light& before, const shader::Light& now) {
     float greatest = 0.0f, difference = 0.0f;
@@ -21,8 +25,7 @@ float light_change(const shader::Light& before, const shader::Light& now) {
         difference = std::max(difference, std::abs(a - b));
     }
     if (!(greatest > 0.0f)) return 0.0f; // dark, before and now
-    const bool moved = before.v0 != now.v0 || before.e1 != now.e1 || before.e2 != now.e2;
-    return moved ? 1.0f : difference / greatest;
+    return same_place(before, now) ? difference / greatest : 1.0f;
 }
 
 bool LightChanges::update(std::span<const shader::Light> lights, uint64_t revision) {
@@ -51,4 +54,4 @@ void LightChanges::forget() {
     factors_.clear();
 }
 
-} // namespace vigil::vkpt
+} // namespace vigil

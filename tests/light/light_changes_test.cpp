@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How much a light has changed since the frame before.
-#include "refresh/vkpt/filter/light_changes.h"
+#include "refresh/vkpt/light/light_changes.h"
 
 #include <gtest/gtest.h>
 #include <limits>
 
 namespace vigil::test {
 namespace {
-
-using vkpt::light_change;
-using vkpt::LightChanges;
 
 shader::Light lamp(float brightness, float x = 0.0f) {
     shader::Light light{};

@@ -9,7 +9,10 @@
 #include <span>
 #include <vector>
 
-namespace vigil::vkpt {
+namespace vigil {
+
+/// Whether two lights are the same triangle.
+bool same_place(const shader::Light& a, const shader::Light& b);
 
 /// 0: the same light; 1: it has come, gone or moved. In between: its brightness has changed by this
 /// part of the greater of both.
@@ -33,4 +36,4 @@ private:
     bool lasting_ = false; // some factor is above 0
 };
 
-} // namespace vigil::vkpt
+} // namespace vigil
