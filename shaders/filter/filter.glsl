@@ -14,17 +14,32 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = SET_FILTER, binding = BINDING_FILTER_SURFACES, scalar) restrict buffer FilterSurfaceBlock { FilterSurface filter_surfaces[]; };
 layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY, scalar) restrict buffer FilterHistoryBlock { FilterHistory filter_history[]; };
 layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT, scalar) restrict buffer FilterLightBlock { uvec4 filter_light[]; }; // pack_light()
-layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED, scalar) restrict buffer FilterResolvedBlock { vec3 filter_resolved[]; };
+layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED, scalar) restrict buffer FilterResolvedBlock {
+    uvec2 filter_resolved[];
+}; // pack_color()
 
-uint pixel_count() { return frame.size.x * frame.size.y; }
-uint this_half() { return frame.filter_half * pixel_count(); }
-uint last_half() { return (1u - frame.filter_half) * pixel_count(); }
+uint this_half() { return frame.filter_half * frame.filter_capacity; }
+uint last_half() { return (1u - frame.filter_half) * frame.filter_capacity; }
 uint pixel_index(ivec2 pixel) { return uint(pixel.y) * frame.size.x + uint(pixel.x); }
+/// Of the frame before, which may have been of another size.
+uint last_index(ivec2 pixel) { return last_half() + uint(pixel.y) * frame.last_size.x + uint(pixel.x); }
+bool inside_last(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.last_size))); }
 bool inside_picture(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.size))); }
 
-/// To within 0.4% of its length: the cheapest to unpack, which a step over neighbours does nine times.
-uint pack_normal(vec3 normal) { return packSnorm4x8(vec4(normal, 0.0)); }
-vec3 unpack_normal(uint packed) { return unpackSnorm4x8(packed).xyz; }
+/// A normal to within 0.4% of its length, the cheapest to unpack, which a step over neighbours does nine times; and how shiny its surface is, 0..1:
+/// surfaces that reflect differently share no light.
+uint pack_facing(vec3 normal, uint gloss) {
+    const vec2 alpha_f0 = unpackHalf2x16(gloss);
+    return packSnorm4x8(vec4(normal, sqrt(alpha_f0.y) * (1.0 - 0.5 * alpha_f0.x)));
+}
+
+/// How far two surfaces are alike in what pack_facing() holds: 1 as one, 0 where no light may be shared.
+float alike(vec4 facing, vec4 other) {
+    const float aligned = max(dot(facing.xyz, other.xyz), 0.0);
+    const float aligned2 = aligned * aligned;
+    const float aligned8 = aligned2 * aligned2 * aligned2 * aligned2;
+    return aligned8 * aligned8 * max(1.0 - 8.0 * abs(facing.w - other.w), 0.0);
+}
 
 /// Direct and indirect light of a pixel, and the standard deviations of their luminances.
 struct Light2 {
@@ -44,9 +59,24 @@ Light2 unpack_light(uvec4 packed) {
     return Light2(vec3(unpackHalf2x16(packed.x), middle.x), vec3(middle.y, unpackHalf2x16(packed.z)), unpackHalf2x16(packed.w));
 }
 
-/// What filter_compose leaves for filter_taa: a colour as bits of floats, where the last step over neighbours read.
-uint composed_index(uint index) { return ((filter_step + 1u) & 1u) * pixel_count() + index; }
-uvec4 composed(uint index) { return filter_light[composed_index(index)]; }
+/// A colour to within 2^-14 of itself, rounded to the nearest: a mean over frames that is kept in halves, which some devices cut off, would stay too dark.
+uvec2 pack_color(vec3 color) {
+    const uvec3 bits = (floatBitsToUint(color) + 0x200u) >> 10;
+    return uvec2(bits.x | bits.y << 21, bits.y >> 11 | bits.z << 10);
+}
+vec3 unpack_color(uvec2 packed) {
+    return uintBitsToFloat(uvec3(packed.x, packed.x >> 21 | packed.y << 11, packed.y >> 10) << 10 & 0x7fffffffu);
+}
+
+/// What filter_compose leaves for filter_taa, where the last step over neighbours read: pack_color() in its first half.
+uint composed_index(uint index) { return ((filter_step + 1u) & 1u) * frame.filter_capacity + index; }
+
+/// Catmull-Rom weights of four pixels in a row, right and down, for a place `within` the middle two.
+mat4x2 catmull_rom(vec2 within) {
+    const vec2 rest = 1.0 - within;
+    return mat4x2(-0.5 * within * rest * rest, (1.5 * within - 2.5) * within * within + 1.0, (1.5 * rest - 2.5) * rest * rest + 1.0,
+                  -0.5 * rest * within * within);
+}
 
 vec2 luminances(vec3 direct, vec3 indirect) { return vec2(luminance(direct), luminance(indirect)); }
 
@@ -57,7 +87,7 @@ bool project_last(vec3 offset, out vec2 place) {
     const vec2 screen = vec2(dot(offset, frame.last_camera_right) / dot(frame.last_camera_right, frame.last_camera_right),
                              -dot(offset, frame.last_camera_up) / dot(frame.last_camera_up, frame.last_camera_up)) /
                         depth;
-    place = (0.5 * screen + 0.5) * vec2(frame.size);
+    place = (0.5 * screen + 0.5) * vec2(frame.last_size);
     return depth > 0.0;
 }
 

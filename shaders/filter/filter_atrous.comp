@@ -6,7 +6,15 @@
 #include "shared/extensions.glsl"
 #include "filter/filter.glsl"
 
+const float ALONE = 1.0; // sum of the weights around, of 12, below which a pixel has no surface in common with any other
+
 float kernel_weight(ivec2 step) { return (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0); }
+
+/// About exp(-x), and 0 from x = 4 on: cheaper.
+vec2 falls_off(vec2 x) {
+    const vec2 root = max(1.0 - 0.25 * x, vec2(0.0));
+    return root * root * root * root;
+}
 
 /// Variances around a pixel, smoothed: one pixel's own is itself a guess, until a first step has averaged it.
 vec2 smooth_variance(ivec2 pixel, uint source, vec2 deviation) {
@@ -28,8 +36,8 @@ void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (!inside_picture(pixel)) return;
     const uint index = pixel_index(pixel);
-    const uint source = (filter_step & 1u) * pixel_count();
-    const uint target = pixel_count() - source;
+    const uint source = (filter_step & 1u) * frame.filter_capacity;
+    const uint target = frame.filter_capacity - source;
     const FilterSurface surface = filter_surfaces[this_half() + index];
     const uvec4 packed = filter_light[source + index];
     if (surface.depth == 0.0) {
@@ -37,7 +45,8 @@ void main() {
         return;
     }
     const Light2 middle = unpack_light(packed);
-    const vec3 normal = unpack_normal(surface.normal);
+    const vec4 facing = unpackSnorm4x8(surface.facing);
+    const vec3 normal = facing.xyz;
     const vec2 bright = luminances(middle.direct, middle.indirect);
     const vec2 variance = smooth_variance(pixel, source, middle.deviation);
     const int stride = 1 << filter_step;
@@ -49,6 +58,8 @@ void main() {
 
     const float own = 4.0;
     vec2 weights = vec2(own);
+    vec3 near_direct = vec3(0.0), near_indirect = vec3(0.0);
+    vec2 near = vec2(0.0);
     Light2 sum = Light2(own * middle.direct, own * middle.indirect, own * own * middle.deviation * middle.deviation);
     for (int i = 0; i < 9; ++i) {
         if (i == 4) continue;
@@ -60,19 +71,27 @@ void main() {
         if (other.depth == 0.0) continue;
         const Light2 light = unpack_light(filter_light[source + there]);
         // How much the other surface is like this one, and how much its light may be the same.
-        const float aligned = max(dot(unpack_normal(other.normal), normal), 0.0);
-        const float aligned2 = aligned * aligned;
-        const float aligned8 = aligned2 * aligned2 * aligned2 * aligned2;
         const float off_plane = abs(other.depth * (along + dot(vec2(step), along_step)) - own_distance) * per_distance;
         // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.
         const vec2 noise = sqrt(variance + light.deviation * light.deviation);
-        const vec2 apart =
-            abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
-        const vec2 weight = kernel_weight(step) * aligned8 * aligned8 * exp(-apart - off_plane);
+        const vec2 light_bright = luminances(light.direct, light.indirect);
+        const vec2 apart = abs(light_bright - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
+        const vec2 weight = kernel_weight(step) * alike(facing, unpackSnorm4x8(other.facing)) * falls_off(apart + off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
         sum.deviation += weight * weight * light.deviation * light.deviation;
         weights += weight;
+        // The brighter, the less: a lamp's own surface tells little of others.
+        const vec2 part = 1.0 / (middle.deviation + light_bright + 1e-6);
+        near_direct += part.x * light.direct;
+        near_indirect += part.y * light.indirect;
+        near += part;
+    }
+    // Nobody around shows this surface, and its own light is little known: any surface's is better. Edges of a pixel's width would be black or bright.
+    if (filter_step == 0u && near.x > 0.0) {
+        const bvec2 alone = bvec2(uvec2(lessThan(weights, vec2(own + ALONE))) * uvec2(greaterThan(middle.deviation, 0.5 * bright)));
+        if (alone.x) sum.direct = weights.x / near.x * near_direct;
+        if (alone.y) sum.indirect = weights.y / near.y * near_indirect;
     }
     sum.direct /= weights.x;
     sum.indirect /= weights.y;

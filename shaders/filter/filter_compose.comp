@@ -10,7 +10,7 @@
 vec3 lit_surface(uint index) {
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return vec3(0.0);
-    const Light2 light = unpack_light(filter_light[(filter_step & 1u) * pixel_count() + index]);
+    const Light2 light = unpack_light(filter_light[(filter_step & 1u) * frame.filter_capacity + index]);
     return filter_albedo(hit) * (light.direct + light.indirect);
 }
 
@@ -33,6 +33,6 @@ void main() {
     const uint index = pixel_index(ivec2(pixel));
     const bool layered = (primary_hits[index].flags & PRIMARY_HIT_LAYERED) != 0u;
     const vec3 value = filter_input[index].emission / float(path_count) + (layered ? lit_layers(ivec2(pixel)) : lit_surface(index));
-    if ((frame.filter_flags & FILTER_TAA) != 0u) filter_light[composed_index(index)] = uvec4(floatBitsToUint(value), 0u);
+    if ((frame.filter_flags & FILTER_TAA) != 0u) filter_light[composed_index(index)] = uvec4(pack_color(value), 0u, 0u);
     else radiance[index] = value * float(path_count);
 }

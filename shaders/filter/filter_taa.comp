@@ -14,14 +14,12 @@ const float DEVIATIONS = 1.25; // that the mean may be off the colours around
 
 bool inside_side(ivec2 pixel) { return inside_picture(pixel) && pixel.x >= int(first_column) && pixel.x < int(end_column); }
 
+/// Pixels of the frame before per pixel of this one.
+vec2 last_scale() { return vec2(frame.last_size) / vec2(frame.size); }
+
 /// Bright pixels count less than their radiance, so that edges next to lamps are smooth as well. To and fro.
 vec3 compress(vec3 value, float factor) { return value / (1.0 + factor * luminance(value)); }
 vec3 expand(vec3 value, float factor) { return value / max(1.0 - factor * luminance(value), 1e-4); }
-
-float catmull_rom(float x) {
-    x = abs(x);
-    return x < 1.0 ? (1.5 * x - 2.5) * x * x + 1.0 : ((-0.5 * x + 2.5) * x - 4.0) * x + 2.0;
-}
 
 /// The mean of the frame before at a place between its pixels; false outside of the side.
 bool resolved_before(vec2 place, float factor, out vec3 value) {
@@ -29,21 +27,24 @@ bool resolved_before(vec2 place, float factor, out vec3 value) {
     const ivec2 first = ivec2(floor(corner));
     const vec2 within = corner - vec2(first);
     value = vec3(0.0);
-    if (!inside_side(ivec2(floor(place)))) return false;
-    const ivec2 least = ivec2(first_column, 0), most = ivec2(end_column, frame.size.y) - 1;
+    const ivec2 least = ivec2(last_scale().x * float(first_column), 0),
+                most = ivec2(last_scale().x * float(end_column), frame.last_size.y) - 1;
+    if (any(lessThan(ivec2(floor(place)), least)) || any(greaterThan(ivec2(floor(place)), most))) return false;
     if (all(lessThan(abs(within - 0.5), vec2(0.4999)))) {
-        float weights = 0.0;
+        const mat4x2 weights = catmull_rom(within);
+        float sum = 0.0;
         for (int y = -1; y <= 2; ++y)
             for (int x = -1; x <= 2; ++x) {
                 const ivec2 at = clamp(first + ivec2(x, y), least, most);
-                const float weight = catmull_rom(within.x - float(x)) * catmull_rom(within.y - float(y));
-                value += weight * compress(filter_resolved[last_half() + pixel_index(at)], factor);
-                weights += weight;
+                if ((x == -1 || x == 2) && (y == -1 || y == 2)) continue; // corners weigh next to nothing
+                const float weight = weights[x + 1].x * weights[y + 1].y;
+                value += weight * compress(unpack_color(filter_resolved[last_index(at)]), factor);
+                sum += weight;
             }
-        value = max(value / weights, vec3(0.0));
+        value = max(value / sum, vec3(0.0));
     } else {
         const ivec2 at = clamp(ivec2(floor(place)), least, most);
-        value = compress(filter_resolved[last_half() + pixel_index(at)], factor);
+        value = compress(unpack_color(filter_resolved[last_index(at)]), factor);
     }
     return is_finite_nonnegative(value);
 }
@@ -63,7 +64,7 @@ void main() {
         for (int x = -1; x <= 1; ++x) {
             const ivec2 at = ivec2(pixel) + ivec2(x, y);
             if (!inside_side(at)) continue;
-            const vec3 color = compress(uintBitsToFloat(composed(pixel_index(at)).xyz), factor);
+            const vec3 color = compress(unpack_color(filter_light[composed_index(pixel_index(at))].xy), factor);
             if (x == 0 && y == 0) middle = color;
             sum += color;
             squares += color * color;
@@ -90,10 +91,10 @@ void main() {
     vec2 place;
     vec3 before;
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
-        resolved_before(vec2(pixel) + 0.5 + place - (vec2(front) + frame.pixel_point), factor, before))
+        resolved_before(place + last_scale() * (vec2(pixel) + 0.5 - (vec2(front) + frame.pixel_point)), factor, before))
         value = mix(clamp(before, darkest, brightest), middle, new_part);
     value = expand(max(value, vec3(0.0)), factor);
     if (!is_finite_nonnegative(value)) value = vec3(0.0);
-    filter_resolved[this_half() + index] = value;
+    filter_resolved[this_half() + index] = pack_color(value);
     radiance[index] = value * float(path_count);
 }

@@ -25,7 +25,7 @@ void main() {
         filter_light[index] = uvec4(0u);
         return;
     }
-    surface.normal = pack_normal(hit.normal);
+    surface.facing = pack_facing(hit.normal, hit.gloss);
     surface.depth = max(dot(hit.position - frame.camera_origin, frame.camera_forward), 1e-3);
     surface.id = hit.instance;
     surface.direct_light = filter_input[index].direct_light;
@@ -40,13 +40,14 @@ void main() {
     vec2 changed = vec2(0.0);
     if ((frame.filter_flags & FILTER_CHANGES) != 0u) changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
     past.frames *= vec2(1.0) - step(vec2(0.95), changed);
-    const FilterTile around = brightness_around(ivec2(pixel));
+    vec2 around_mean, around_second_moments;
+    brightness_around(ivec2(pixel), around_mean, around_second_moments);
     const vec2 past_mean = luminances(past.direct, past.indirect);
     vec2 limits = vec2(FILTER_MAX);
     if (frame.settings.flt_firefly > 0.0) {
         const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
         const vec2 by_tiles =
-            around.mean + frame.settings.flt_firefly * sqrt(max(around.second_moments - around.mean * around.mean, vec2(0.0)));
+            around_mean + frame.settings.flt_firefly * sqrt(max(around_second_moments - around_mean * around_mean, vec2(0.0)));
         // What was seen before says little about lamps that have just come.
         limits = mix(min(limits, max(by_past, by_tiles)), limits, greaterThan(changed, vec2(0.1)));
     }
@@ -57,18 +58,19 @@ void main() {
     const vec2 frames = min(past.frames + 1.0, vec2(float(frame.settings.flt_history)));
     const vec2 part = clamp(max(1.0 / frames, 1.5 * changed), vec2(0.0), vec2(1.0));
     FilterHistory joined;
-    joined.direct = mix(past.direct, direct, part.x);
-    joined.indirect = mix(past.indirect, indirect, part.y);
+    const vec3 mean_direct = mix(past.direct, direct, part.x), mean_indirect = mix(past.indirect, indirect, part.y);
     const vec2 bright = luminances(direct, indirect);
     const vec2 second_moments = mix(past.second_moments, bright * bright, part);
+    joined.direct = pack_color(mean_direct);
+    joined.indirect = pack_color(mean_indirect);
     joined.second_moments = packHalf2x16(sqrt(second_moments));
     joined.lengths = packHalf2x16(1.0 / part);
     filter_history[this_half() + index] = joined;
 
     // How far the means may be off: from their own past, or, while that is short, from the tiles around.
     const bvec2 young = lessThan(frames, vec2(YOUNG));
-    const vec2 mean = luminances(joined.direct, joined.indirect);
+    const vec2 mean = luminances(mean_direct, mean_indirect);
     const vec2 known = max(second_moments - mean * mean, vec2(0.0));
-    const vec2 variance = mix(known, max(known, around.second_moments), young) * part;
-    filter_light[index] = pack_light(Light2(joined.direct, joined.indirect, sqrt(variance)));
+    const vec2 variance = mix(known, max(known, around_second_moments), young) * part;
+    filter_light[index] = pack_light(Light2(mean_direct, mean_indirect, sqrt(variance)));
 }

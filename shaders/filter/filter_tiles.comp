@@ -14,6 +14,7 @@ const float NEW_PART = 0.1; // of this frame in what is known of brightness
 void main() {
     const ivec2 place = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(place, ivec2(tile_count())))) return;
+    const bool has_past = (frame.filter_flags & FILTER_HISTORY) != 0u && frame.last_size == frame.size; // tiles lie where they lay
     const bool changes = (frame.filter_flags & FILTER_CHANGES) != 0u;
     FilterTile tile = FilterTile(vec4(0.0), vec2(0.0), vec2(0.0));
     float count = 0.0;
@@ -31,7 +32,7 @@ void main() {
                     vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)),
                          bright);
         }
-        if (!changes || (frame.filter_flags & FILTER_HISTORY) == 0u) continue;
+        if (!changes || !has_past) continue;
         const FilterSurface last = filter_surfaces[last_half() + index];
         if (last.depth == 0.0) continue;
         const vec2 bright = unpackHalf2x16(last.brightness);
@@ -41,7 +42,7 @@ void main() {
     tile.second_moments /= max(count, 1.0);
     const uint index = tile_index(place);
     const FilterTile before = filter_tiles[index];
-    if ((frame.filter_flags & FILTER_HISTORY) != 0u && is_finite_nonnegative(vec3(before.mean, dot(before.second_moments, vec2(1.0))))) {
+    if (has_past && is_finite_nonnegative(vec3(before.mean, dot(before.second_moments, vec2(1.0))))) {
         // What was known of lamps that have changed is of no use.
         const vec2 part = clamp(tile.changed.xy / max(tile.changed.zw, vec2(1e-6)), vec2(NEW_PART), vec2(1.0));
         tile.mean = mix(before.mean, tile.mean, part);

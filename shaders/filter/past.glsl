@@ -6,6 +6,8 @@
 
 #include "filter/motion.glsl"
 
+const float TURN_OF_LOBE = 0.3; // of the lobe's width, until which a reflection counts as the same
+
 struct Past {
     vec3 direct;
     vec3 indirect;
@@ -18,48 +20,96 @@ const Past NO_PAST = Past(vec3(0.0), vec3(0.0), vec2(0.0), vec2(0.0));
 /// A surface point in the frame before.
 struct Then {
     vec3 offset; // from that frame's camera
-    vec3 normal;
+    vec4 facing; // as pack_facing()
     uint id;
     float tolerance; // map units that another point of the surface may be off its plane
+    vec3 along;      // how far a camera ray goes along the normal, per depth: at the first pixel, and more for each to the right and down
 };
 
+Then point_before(PrimaryHit hit, FilterSurface surface) {
+    const vec3 normal = normal_before(hit.normal, hit.instance);
+    const vec2 step = vec2(2.0, -2.0) / vec2(frame.last_size);
+    const vec2 corner = vec2(-1.0, 1.0) + step * frame.last_pixel_point;
+    const vec3 first = frame.last_camera_forward + corner.x * frame.last_camera_right + corner.y * frame.last_camera_up;
+    return Then(offset_before(hit.position, hit.instance), vec4(normal, unpackSnorm4x8(surface.facing).w), surface.id,
+                2.0 * surface.depth * frame.pixel_angle,
+                vec3(dot(first, normal), step * vec2(dot(frame.last_camera_right, normal), dot(frame.last_camera_up, normal))));
+}
+
 bool shows_same(uint index, ivec2 pixel, Then then) {
-    const FilterSurface last = filter_surfaces[index];
-    if (last.depth == 0.0 || last.id != then.id || dot(unpack_normal(last.normal), then.normal) < 0.9) return false;
-    const vec3 ray =
-        ray_through(vec2(pixel) + frame.last_pixel_point, frame.last_camera_forward, frame.last_camera_right, frame.last_camera_up);
-    return abs(dot(last.depth * ray - then.offset, then.normal)) < then.tolerance;
+    const float depth = filter_surfaces[index].depth;
+    if (depth == 0.0 || filter_surfaces[index].id != then.id) return false;
+    if (alike(unpackSnorm4x8(filter_surfaces[index].facing), then.facing) < 0.2) return false;
+    return abs(depth * dot(then.along, vec3(1.0, pixel)) - dot(then.offset, then.facing.xyz)) < then.tolerance;
 }
 
 void add_past(inout Past past, uint index, float weight) {
-    const FilterHistory last = filter_history[index];
-    const vec2 moments = unpackHalf2x16(last.second_moments);
-    past.direct += weight * last.direct;
-    past.indirect += weight * last.indirect;
+    const vec2 moments = unpackHalf2x16(filter_history[index].second_moments);
+    past.direct += weight * unpack_color(filter_history[index].direct);
+    past.indirect += weight * unpack_color(filter_history[index].indirect);
     past.second_moments += weight * moments * moments;
-    past.frames += weight * unpackHalf2x16(last.lengths);
+    past.frames += weight * unpackHalf2x16(filter_history[index].lengths);
+}
+
+/// The means at a place `within` the four pixels from `first` on, which all show the surface, by the pixels around as well: a mean of four in every frame
+/// would blur shadows by more than a pixel. Catmull-Rom without its corners.
+void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
+    const mat4x2 weights = catmull_rom(within);
+    vec3 direct = vec3(0.0), indirect = vec3(0.0);
+    float sum = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        // Four between the four, two on each side of them.
+        const int side = i < 4 ? 1 + (i & 1) : 3 * (i & 1), other = 1 + ((i >> 1) & 1);
+        const ivec2 tap = i < 8 ? ivec2(side, other) : ivec2(other, side);
+        const ivec2 at = first + tap - 1;
+        if (!inside_last(at)) continue;
+        const float weight = weights[tap.x].x * weights[tap.y].y;
+        const uint index = last_index(at);
+        if (abs(weight) < 1e-3 || i >= 4 && !shows_same(index, at, then)) continue;
+        direct += weight * unpack_color(filter_history[index].direct);
+        indirect += weight * unpack_color(filter_history[index].indirect);
+        sum += weight;
+    }
+    past.direct = max(direct / sum, vec3(0.0));
+    past.indirect = max(indirect / sum, vec3(0.0));
+}
+
+/// How much of a surface a pixel covers, at a place `offset` from a camera, up to a factor.
+float pixel_area(vec3 offset, vec3 normal) {
+    const float square = dot(offset, offset);
+    return square * sqrt(square) / max(abs(dot(offset, normal)), 1e-6);
+}
+
+/// For how many frames a past may count. What a glossy surface reflected is what it reflects now until the view has turned by a part of the lobe's width;
+/// and pixels that covered more of the surface say less about what this one covers.
+vec2 valid_frames(vec2 frames, PrimaryHit hit, Then then) {
+    const vec3 now = hit.position - frame.camera_origin;
+    frames *= min(pixel_area(now, hit.normal) / pixel_area(then.offset, then.facing.xyz), 1.0);
+    const vec2 alpha_f0 = unpackHalf2x16(hit.gloss);
+    if (alpha_f0.y == 0.0) return frames;
+    return min(frames, vec2(TURN_OF_LOBE * alpha_f0.x / max(length(normalize(now) - normalize(then.offset)), 1e-6)));
 }
 
 Past find_past(PrimaryHit hit, FilterSurface surface) {
     Past past = NO_PAST;
     if ((frame.filter_flags & FILTER_HISTORY) == 0u) return past;
-    const Then then = Then(offset_before(hit.position, hit.instance), normal_before(hit.normal, hit.instance), surface.id,
-                           2.0 * surface.depth * frame.pixel_angle);
+    const Then then = point_before(hit, surface);
     vec2 place;
     if (!project_last(then.offset, place)) return past;
     const vec2 corner = place - frame.last_pixel_point;
     const ivec2 first = ivec2(floor(corner));
     const vec2 within = corner - vec2(first);
     float sum = 0.0;
+    int found = 0;
     for (int i = 0; i < 4; ++i) {
         const ivec2 at = first + ivec2(i & 1, i >> 1);
-        const vec2 parts = mix(1.0 - within, within, vec2(i & 1, i >> 1));
-        const float weight = parts.x * parts.y;
-        if (weight < 1e-3 || !inside_picture(at)) continue;
-        const uint index = last_half() + pixel_index(at);
+        if (!inside_last(at)) continue;
+        const uint index = last_index(at);
         if (!shows_same(index, at, then)) continue;
-        add_past(past, index, weight);
-        sum += weight;
+        const vec2 parts = mix(1.0 - within, within, vec2(i & 1, i >> 1));
+        add_past(past, index, parts.x * parts.y);
+        sum += parts.x * parts.y;
+        ++found;
     }
     // Edges and thin things: whichever pixel around showed the surface.
     if (sum < 0.05) {
@@ -68,8 +118,8 @@ Past find_past(PrimaryHit hit, FilterSurface surface) {
         const ivec2 nearest = ivec2(floor(corner + 0.5));
         for (int i = 0; i < 9; ++i) {
             const ivec2 at = nearest + ivec2(i % 3 - 1, i / 3 - 1);
-            if (!inside_picture(at)) continue;
-            const uint index = last_half() + pixel_index(at);
+            if (!inside_last(at)) continue;
+            const uint index = last_index(at);
             if (!shows_same(index, at, then)) continue;
             add_past(past, index, 1.0);
             sum += 1.0;
@@ -79,7 +129,8 @@ Past find_past(PrimaryHit hit, FilterSurface surface) {
     past.direct /= sum;
     past.indirect /= sum;
     past.second_moments /= sum;
-    past.frames /= sum;
+    past.frames = valid_frames(past.frames / sum, hit, then);
+    if (found == 4 && any(greaterThan(abs(within - round(within)), vec2(0.01)))) sharpen_past(past, then, first, within);
     return past;
 }
 

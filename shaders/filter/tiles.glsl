@@ -23,15 +23,15 @@ vec2 sample_brightness(uint index) {
     return min(luminances(filter_input[index].direct, filter_input[index].indirect) / float(path_count), vec2(FILTER_MAX));
 }
 
-/// How bright samples are in the 3 x 3 tiles around a pixel: mean and mean square.
-FilterTile brightness_around(ivec2 pixel) {
-    FilterTile sum = FilterTile(vec4(0.0), vec2(0.0), vec2(0.0));
-    for (int i = 0; i < 9; ++i) {
-        const uint index = tile_index(tile_near(pixel, ivec2(i % 3 - 1, i / 3 - 1)));
-        sum.mean += filter_tiles[index].mean / 9.0;
-        sum.second_moments += filter_tiles[index].second_moments / 9.0;
+/// How bright samples are around a pixel, in the four nearest tiles: means and means of squares, direct and indirect.
+void brightness_around(ivec2 pixel, out vec2 mean, out vec2 second_moments) {
+    const ivec2 side = 2 * (pixel % FILTER_TILE / (FILTER_TILE / 2)) - 1;
+    mean = second_moments = vec2(0.0);
+    for (int i = 0; i < 4; ++i) {
+        const uint index = tile_index(tile_near(pixel, side * ivec2(i & 1, i >> 1)));
+        mean += 0.25 * filter_tiles[index].mean;
+        second_moments += 0.25 * filter_tiles[index].second_moments;
     }
-    return sum;
 }
 
 /// Part of the light around a pixel that comes from lamps that have changed, direct and indirect, in 3 x 3 tiles `apart` from each other.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `exposure`: one work group turns the tiles' luminances into the factor from radiance to display. The
 // geometric mean of the tiles comes out at middle grey (Reinhard et al. 2002, 18 %). Each picture is
-// exposed by itself, so a picture never depends on the frames before it.
+// exposed by itself, so that it does not depend on the frames before it; but filtered frames, which do, may follow slowly (exposure_part).
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "post/picture.glsl"
@@ -23,6 +23,12 @@ void main() {
     }
     if (lane != 0u) return;
     float value = frame.settings.pt_exposure;
-    if (value == 0.0) value = 0.18 / exp2(sums[0].x / max(sums[0].y, 1.0));
+    if (value == 0.0) {
+        value = 0.18 / exp2(sums[0].x / max(sums[0].y, 1.0));
+        // As eyes do: by a part of the difference in stops.
+        const float before = exposure / exp2(frame.settings.pt_exposure_bias);
+        if (frame.exposure_part < 1.0 && before > 1e-7 && before < 1e7)
+            value = before * pow(clamp(value, 1e-6, 1e6) / before, frame.exposure_part);
+    }
     exposure = clamp(value, 1e-6, 1e6) * exp2(frame.settings.pt_exposure_bias);
 }

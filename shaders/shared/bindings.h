@@ -105,4 +105,9 @@
 #define BINDING_DRAWS_TEXELS 2  // of all pictures, RGBA8
 #define DRAWS_BINDING_COUNT 3
 
+// The set of pass `upscale`: post/upscale.comp.
+#define BINDING_UPSCALE_TRACED 0  // the picture as it was traced
+#define BINDING_UPSCALE_DISPLAY 1 // the finished picture
+#define UPSCALE_BINDING_COUNT 2
+
 #endif

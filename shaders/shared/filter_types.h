@@ -19,7 +19,7 @@ struct FilterInput {
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {
-    uint normal;       // pack_normal() of filter/filter.glsl
+    uint facing;       // pack_facing() of filter/filter.glsl
     float depth;       // along the camera's forward axis, map units; 0: nothing to filter (sky)
     uint id;           // instance
     uint direct_light; // as FilterInput
@@ -29,8 +29,8 @@ struct FilterSurface {
 
 /// Light of a surface, averaged over frames.
 struct FilterHistory {
-    vec3 direct; // mean
-    vec3 indirect;
+    uvec2 direct; // means: pack_color() of filter/filter.glsl
+    uvec2 indirect;
     uint second_moments; // packHalf2x16: square roots of the mean squared luminances, direct and indirect
     uint lengths;        // packHalf2x16: how many frames the means are of, direct and indirect
 };

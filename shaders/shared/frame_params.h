@@ -15,7 +15,7 @@ struct FrameParams {
     vec3 camera_forward; // unit
     vec3 camera_right;   // length: tan(half horizontal angle)
     vec3 camera_up;      // length: tan(half vertical angle)
-    uvec2 size;          // pixels
+    uvec2 size;          // pixels that are traced
     float pixel_angle;   // angle that a pixel covers in the middle of the picture, radians
     float time_s;
     uint frame;            // counts rendered frames; the random sequence
@@ -34,6 +34,8 @@ struct FrameParams {
     // What the filter needs; shared/filter_types.h.
     uint filter_flags;     // FILTER_*
     uint filter_half;      // 0 or 1: this frame's half of buffers that hold two frames
+    uint filter_capacity;  // pixels in each half
+    uvec2 last_size;       // of the frame before, pixels
     uint split_column;     // where the picture's second side begins; its width if there is none
     vec2 pixel_point;      // where in the pixel camera rays pass unless they are jittered one by one
     vec2 last_pixel_point; // the same of the frame before; and its camera
@@ -41,6 +43,7 @@ struct FrameParams {
     vec3 last_camera_forward;
     vec3 last_camera_right;
     vec3 last_camera_up;
+    float exposure_part; // of this frame in an automatic exposure that follows slowly; 1: it does not
     GpuSettings settings;
 };
 

@@ -38,6 +38,10 @@
 #define VIGIL_RENDERER_TABLE(STRING, INTEGER, REAL, CHOICE, GPU_INTEGER, GPU_REAL, GPU_CHOICE) \
     INTEGER(vid_width, GuardedArchived, Reference, 640, 16, 16384, "width of the picture in pixels") \
     INTEGER(vid_height, GuardedArchived, Reference, 360, 16, 16384, "height of the picture in pixels") \
+    INTEGER(vid_scale, GuardedArchived, Reference, 100, 25, 100, \
+        "percent of the picture's width and height that are traced; the picture is scaled up from them") \
+    REAL(vid_fps_target, GuardedArchived, Reference, 0.0, 0.0, 1000.0, \
+        "frames a second for which vid_scale is lowered by itself, down to 25; 0: never") \
     INTEGER(vid_vsync, GuardedArchived, Nothing, 1, 0, 1, \
         "1: show a frame only when the display starts a new one") \
     \
@@ -130,7 +134,7 @@
         "1: light is averaged over time and over neighbouring pixels, unless pt_accumulate is 1; 0: the picture as it is traced") \
     GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \
         "filter: frames that light is averaged over, at most") \
-    INTEGER(flt_atrous, Session, Picture, 5, 0, 6, \
+    INTEGER(flt_atrous, Session, Picture, 3, 0, 6, \
         "filter: passes over neighbouring pixels, each over pixels twice as far apart; 0: over time alone") \
     GPU_REAL(flt_sigma, Session, Picture, 4.0, 0.0, 1000.0, \
         "filter: neighbours whose brightness differs by so many standard deviations count 1/e as much") \
@@ -142,6 +146,8 @@
         "filter: 1: camera rays move within the pixel from frame to frame, so that edges are smooth") \
     GPU_REAL(pt_exposure, Session, Display, 0.0, 0.0, 1e6, \
         "factor from radiance to brightness; 0: automatic") \
+    REAL(pt_exposure_speed, Archived, Display, 3.0, 0.0, 1000.0, \
+        "how fast automatic exposure follows, per second, while frames are filtered; 0: at once") \
     GPU_REAL(pt_exposure_bias, Archived, Display, 0.0, -16.0, 16.0, \
         "stops added to the exposure, automatic or not") \
     GPU_CHOICE(pt_tonemap, Archived, Display, "filmic", "none|reinhard|filmic", \

@@ -199,6 +199,15 @@ TEST_F(Filter, StaysFiniteWhateverComes) {
     is_fine("a cut");
     set_size(33, 17);
     is_fine("another size");
+    for (const char* percent : {"50", "25", "100"}) {
+        set("vid_scale", percent);
+        is_fine(percent);
+    }
+    set("vid_fps_target", "1000"); // never reached: sizes go down frame by frame
+    for (int frame = 0; frame < 30; ++frame)
+        is_fine("a size that changes");
+    set("vid_fps_target", "0");
+    is_fine("all pixels again");
     set("flt_history", "1");
     is_fine("a history of one frame");
     set("flt_history", "1000");

@@ -181,6 +181,52 @@ TEST_F(PictureTest, AccumulationGoesOnUntilSomethingChanges) {
     EXPECT_NE(alone.rgb, still);
 }
 
+TEST_F(PictureTest, FewerPixelsThanThePictureAreScaledUp) {
+    set_size(64, 48);
+    set("pt_exposure", "1");
+    set("pt_accumulate", "1");
+    const auto picture = [&](const char* percent) {
+        set("vid_scale", percent);
+        for (int frame = 0; frame < 24; ++frame)
+            renderer().render(shot_.frame());
+        EXPECT_EQ(renderer().read_radiance().width, 64 * std::stoi(percent) / 100);
+        refresh::Picture picture = renderer().read_picture(false);
+        EXPECT_EQ(picture.width, 64);
+        EXPECT_EQ(picture.height, 48);
+        return picture.rgba;
+    };
+    const std::vector<uint8_t> whole = picture("100");
+    const std::vector<uint8_t> scaled = picture("50");
+    set_size(32, 24);
+    for (int frame = 0; frame < 24; ++frame)
+        renderer().render(shot_.frame());
+    EXPECT_EQ(renderer().read_radiance().width, 16) << "of another picture, too";
+    set("vid_scale", "100");
+    for (int frame = 0; frame < 24; ++frame)
+        renderer().render(shot_.frame());
+    const std::vector<uint8_t> half = renderer().read_picture(false).rgba;
+    double error = 0.0, nearest_error = 0.0;
+    for (size_t y = 0; y < 48; ++y)
+        for (size_t x = 0; x < 64; ++x)
+            for (size_t c = 0; c < 3; ++c) {
+                const double expected = whole[4 * (64 * y + x) + c];
+                error += std::pow(scaled[4 * (64 * y + x) + c] - expected, 2.0);
+                nearest_error += std::pow(half[4 * (32 * (y / 2) + x / 2) + c] - expected, 2.0);
+            }
+    EXPECT_GT(error, 0.0);
+    EXPECT_LT(error, 0.8 * nearest_error) << "repeating pixels would do as well";
+}
+
+TEST_F(PictureTest, ARateThatIsReachedChangesNoPixel) {
+    load("rooms");
+    radiance(shot_);
+    const std::vector<uint8_t> plain = renderer().read_picture(false).rgba;
+    set("vid_fps_target", "0.001");
+    load("rooms"); // the same random numbers again
+    radiance(shot_);
+    EXPECT_EQ(renderer().read_picture(false).rgba, plain);
+}
+
 TEST_F(PictureTest, SameSeedSamePicture) {
     radiance(shot_);
     shader::FrameParams frame = params(shot_);

@@ -36,6 +36,8 @@ constexpr MenuItem items[] = {
     {"Show", "pt_view"},
     {"Statistics", "scr_stats"},
     {"Resolution", "resolution"},
+    {"Traced, percent", "vid_scale"},
+    {"Frames a second", "vid_fps_target"},
     {"Full screen", "vid_fullscreen"},
     {"Mouse speed", "sensitivity"},
     {"Invert mouse", "m_invert"},
@@ -88,8 +90,11 @@ struct NumberStep {
     double factor; // 0: add `term`
     double term;
 };
-constexpr NumberStep number_steps[] = {
-    {"pt_spp", 2.0, 0.0}, {"sensitivity", 0.0, 0.5}, {"joy_look", 0.0, 30.0}};
+constexpr NumberStep number_steps[] = {{"pt_spp", 2.0, 0.0},
+                                       {"sensitivity", 0.0, 0.5},
+                                       {"joy_look", 0.0, 30.0},
+                                       {"vid_scale", 0.0, 5.0},
+                                       {"vid_fps_target", 0.0, 5.0}};
 
 bool is_switch(const CvarInfo& info) {
     return info.type == CvarType::Integer && info.minimum == 0.0 && info.maximum == 1.0;

@@ -42,7 +42,7 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
       waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
       buffers_(device_, left_.guiding().look_up()), path_tracer_(compiler_, buffers_),
       direction_map_(compiler_, buffers_), filter_(device_, compiler_, buffers_),
-      post_(compiler_, buffers_), draws_(device_, compiler_) {
+      post_(device_, compiler_, buffers_), draws_(device_, compiler_) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -107,21 +107,34 @@ glm::uvec2 VkptRenderer::screen_size() const {
     if (surface_) {
         const glm::ivec2 size = surface_->framebuffer_size();
         if (size.x > 0 && size.y > 0) return size;
-        if (buffers_.size().x > 0) return buffers_.size(); // minimised: keep what we have
+        if (buffers_.picture_size().x > 0)
+            return buffers_.picture_size(); // minimised: keep what we have
     }
     return {static_cast<uint32_t>(settings_.vid_width),
             static_cast<uint32_t>(settings_.vid_height)};
 }
 
 void VkptRenderer::resize(glm::uvec2 size) {
-    if (size == buffers_.size()) return;
+    // While frames are averaged their size stays.
+    resolution_.follow(settings_.vid_scale,
+                       settings_.pt_accumulate != 0 ? 0.0f : settings_.vid_fps_target);
+    make_buffers(size);
+    buffers_.trace(resolution_.traced(size));
+}
+
+void VkptRenderer::make_buffers(glm::uvec2 size) {
+    const glm::uvec2 most = resolution_.most_traced(size);
+    if (size == buffers_.picture_size() && most == buffers_.most_traced() &&
+        resolution_.scales() == buffers_.scales())
+        return;
     device_.wait_idle();
     // A size that does not fit leaves the old one working.
     gpu::Image picture(device_, size.x, size.y, VK_FORMAT_R8G8B8A8_UNORM,
                        VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
                        "picture");
-    buffers_.resize(size);
+    buffers_.resize(size, most, resolution_.scales());
+    post_.bind();
     picture_ = std::move(picture);
     accumulation_key_.clear();
     traced_ = false;
@@ -178,7 +191,7 @@ void VkptRenderer::for_each_side(const std::function<void(Side&)>& what) {
 
 void VkptRenderer::prepare_pipelines() {
     for_each_side([&](Side& side) {
-        side.prepare_guiding(buffers_.size(), frame_number_ - first_frame_, settings_);
+        side.prepare_guiding(buffers_.most_traced(), frame_number_ - first_frame_, settings_);
     });
     const std::vector<PictureSide> sides = picture_sides();
     path_tracer_.prepare(sides);
@@ -216,13 +229,17 @@ std::vector<PictureSide> VkptRenderer::picture_sides() const {
 }
 
 void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides) {
+    const glm::uvec2 size = buffers_.picture_size();
+    const auto shown = [&](uint32_t column) { // where a traced column is in the picture
+        return static_cast<uint32_t>(uint64_t{column} * size.x / buffers_.size().x);
+    };
     for (size_t i = 0; i < sides.size(); ++i) {
         const PictureSide& side = sides[i];
-        legends_.at(i).record(commands, buffers_.display(),
-                              {settings_.pt_view, side.variant.technique, side.samples_lights,
-                               side.guided, buffers_.size(),
-                               (i == 1 && right_ ? *right_ : left_).technique()->uses_guiding(),
-                               side.variant.guide.guides(), side.first_column, side.end_column});
+        legends_.at(i).record(
+            commands, buffers_.display(),
+            {settings_.pt_view, side.variant.technique, side.samples_lights, side.guided, size,
+             (i == 1 && right_ ? *right_ : left_).technique()->uses_guiding(),
+             side.variant.guide.guides(), shown(side.first_column), shown(side.end_column)});
     }
     if (sides.size() < 2) return;
     std::array<std::string, 2> names;
@@ -230,7 +247,7 @@ void VkptRenderer::record_texts(gpu::FrameCommands& commands, std::span<const Pi
         names.at(i) =
             technique_row_name({sides[i].variant.technique, sides[i].variant.guide.guide});
     if (compares_raw()) names = {filter_.on() ? "filtered" : "raw", "raw"};
-    side_labels_.record(commands, buffers_.display(), buffers_.size(), split_column(), names);
+    side_labels_.record(commands, buffers_.display(), size, shown(split_column()), names);
 }
 
 bool VkptRenderer::use_ray_query(const refresh::Settings& settings) const {
@@ -323,7 +340,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     gpu::FrameCommands& commands = frames_[slot];
     ImDrawData* overlay = frame.overlay;
     finish_slot(slot);
-    draws_.prepare(buffers_.display(), buffers_.size(), frame.draws);
+    draws_.prepare(buffers_.display(), buffers_.picture_size(), frame.draws);
     // Whoever goes on after a frame that failed (a command) would miss what it was to copy.
     if (frame_unfinished_) fail("the frame before this one failed");
     frame_unfinished_ = true;
@@ -376,7 +393,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     draws_.record(commands);
     present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);
     frame_unfinished_ = false;
-    slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right};
+    slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right, resolution_.scale()};
     return frame_number_++;
 }
 
@@ -529,12 +546,15 @@ void VkptRenderer::finish_slot(size_t slot) {
     if (!frames_[slot].finish()) return;
     refresh::FrameTimes times;
     times.frame = slot_frames_[slot].number;
+    double whole = 0.0;
     for (size_t pass = 0; pass < std::size(pass_names); ++pass) {
         const double milliseconds = frames_[slot].timer().milliseconds(static_cast<uint32_t>(pass));
+        if (static_cast<Pass>(pass) != Pass::Present) whole += milliseconds;
         if (milliseconds > 0.0)
             times.passes.push_back(
                 {std::string(pass_names[pass]), milliseconds, pass_groups[pass]});
     }
+    resolution_.learn(whole, slot_frames_[slot].scale);
     if (slot_frames_[slot].guided) {
         guiding_work_ =
             (slot_frames_[slot].right && right_ ? *right_ : left_).guiding().statistics(slot);

@@ -14,6 +14,7 @@
 #include "refresh/vkpt/post/draws.h"
 #include "refresh/vkpt/post/overlay.h"
 #include "refresh/vkpt/post/post.h"
+#include "refresh/vkpt/post/resolution.h"
 #include "refresh/vkpt/side.h"
 
 #include <array>
@@ -81,7 +82,9 @@ private:
     static constexpr size_t frames_in_flight = 2;
 
     glm::uvec2 screen_size() const;
+    /// Follows the screen's size and what is traced of it.
     void resize(glm::uvec2 size);
+    void make_buffers(glm::uvec2 size);
     GuideChoice guide_of(Guide guide) const;
     /// Whether the right side is the left's, unfiltered.
     bool compares_raw() const;
@@ -124,6 +127,7 @@ private:
     DirectionMap direction_map_;
     Filter filter_;
     Post post_;
+    Resolution resolution_;
     Draws draws_;
     std::optional<gpu::Swapchain> swapchain_;
     std::optional<Overlay> overlay_;
@@ -163,6 +167,7 @@ private:
         uint64_t number = 0;
         bool guided = false;
         bool right = false;
+        float scale = 1.0f; // of its resolution
     };
     std::array<SlotFrame, frames_in_flight> slot_frames_{};
     shader::GuidingWork guiding_work_{}; // of the last frame that was finished with guiding

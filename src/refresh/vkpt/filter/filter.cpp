@@ -4,6 +4,8 @@
 #include "common/error.h"
 #include "common/log.h"
 
+#include <cmath>
+
 namespace vigil::vkpt {
 
 namespace {
@@ -21,6 +23,9 @@ float halton(uint32_t index, uint32_t base) {
 /// Points in a pixel, one a frame, after which they repeat: as many as temporal anti-aliasing
 /// remembers.
 constexpr uint32_t pixel_points = 16;
+
+/// Between frames, in which eyes get used to light at all.
+constexpr float most_seconds = 1.0f;
 
 glm::uvec2 filter_tiles(glm::uvec2 size) {
     constexpr auto edge = static_cast<uint32_t>(shader::FILTER_TILE);
@@ -52,15 +57,15 @@ bool Filter::wanted(const refresh::Settings& settings) {
 }
 
 Filter::Kept Filter::make_buffers() const {
-    const uint64_t pixels = uint64_t{buffers_.size().x} * buffers_.size().y;
-    const glm::uvec2 tiles = filter_tiles(buffers_.size());
+    const uint64_t pixels = uint64_t{buffers_.most_traced().x} * buffers_.most_traced().y;
+    const glm::uvec2 tiles = filter_tiles(buffers_.most_traced());
     const auto make = [&](uint64_t bytes, const char* name) {
         return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
     };
     return {make(2 * pixels * sizeof(shader::FilterSurface), "filter surfaces"),
             make(2 * pixels * sizeof(shader::FilterHistory), "filter history"),
             make(2 * pixels * sizeof(glm::uvec4), "filter light"),
-            make(2 * pixels * sizeof(glm::vec3), "filter resolved"),
+            make(2 * pixels * sizeof(glm::uvec2), "filter resolved"),
             make(uint64_t{tiles.x} * tiles.y * sizeof(shader::FilterTile), "filter tiles")};
 }
 
@@ -80,9 +85,10 @@ bool Filter::follow(const refresh::Settings& settings) {
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
     jitters_ = settings.pt_jitter != 0;
-    if (!wanted || failed_size_ != buffers_.size()) failed_size_.reset();
+    exposure_speed_ = settings.pt_exposure_speed;
+    if (!wanted || failed_size_ != buffers_.most_traced()) failed_size_.reset();
     const bool on = wanted && !failed_size_;
-    if (on == on_ && (!on || size_ == buffers_.size())) return false;
+    if (on == on_ && (!on || size_ == buffers_.most_traced())) return false;
     // Sizes and bindings change: the GPU must be idle.
     device_.wait_idle();
     on_ = false;
@@ -98,12 +104,12 @@ bool Filter::follow(const refresh::Settings& settings) {
         set_.bind(BINDING_FILTER_LIGHT, kept_.light);
         set_.bind(BINDING_FILTER_RESOLVED, kept_.resolved);
         set_.bind(BINDING_FILTER_TILES, kept_.tiles);
-        size_ = buffers_.size();
+        size_ = buffers_.most_traced();
         on_ = true;
     } catch (const Error& error) {
         log_warning("the picture is not filtered: {}", error.what());
         kept_ = {};
-        failed_size_ = buffers_.size();
+        failed_size_ = buffers_.most_traced();
     }
     return true;
 }
@@ -118,6 +124,7 @@ void Filter::prepare_pipelines() {
 }
 
 void Filter::describe(shader::FrameParams& params) {
+    params.exposure_part = 1.0f;
     if (!on_) {
         has_past_ = false;
         return;
@@ -131,6 +138,11 @@ void Filter::describe(shader::FrameParams& params) {
     }
     if (changed_) params.filter_flags |= shader::FILTER_CHANGES;
     params.filter_half = frame_ & 1;
+    params.filter_capacity = size_.x * size_.y;
+    params.last_size = last_.size;
+    const float passed = params.time_s - last_.time_s;
+    if (has_past_ && exposure_speed_ > 0.0f && passed >= 0.0f && passed < most_seconds)
+        params.exposure_part = 1.0f - std::exp(-exposure_speed_ * passed);
     params.last_pixel_point = last_.pixel_point;
     params.last_camera_origin = last_.camera_origin;
     params.last_camera_forward = last_.camera_forward;

@@ -54,10 +54,11 @@ private:
     ComputePass tiles_, temporal_, atrous_, compose_, taa_pass_;
     LightChanges changes_;
     bool changed_ = false;  // a lamp, in the frame that was prepared last
-    glm::uvec2 size_{0, 0}; // that the buffers are for
+    glm::uvec2 size_{0, 0}; // that the buffers are for, at most
     int steps_ = 0;         // over neighbours
     bool on_ = false;
     bool taa_ = false;
+    float exposure_speed_ = 0.0f;
     bool jitters_ = false;                  // then, camera rays move within the pixel
     std::optional<glm::uvec2> failed_size_; // that memory did not suffice for
     bool has_past_ = false;

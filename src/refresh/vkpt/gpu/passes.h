@@ -42,6 +42,7 @@ enum class Waits {
     ROW(Accumulate, "accumulate", Other, Shaders) /* running mean and tile luminances */ \
     ROW(Exposure, "exposure", Other, Shaders) /* automatic exposure */ \
     ROW(Tonemap, "tonemap", Other, Shaders) /* radiance to 8-bit sRGB, or a debug view */ \
+    ROW(Upscale, "upscale", Other, Shaders) /* more pixels than were traced */ \
     ROW(Draws, "draws", Other, Copies) /* pictures and fills over it */ \
     ROW(Overlay, "overlay", Other, None) /* console and menus */ \
     ROW(Present, "present", Other, None) /* copy to the window */

@@ -43,7 +43,7 @@ FrameBuffers::FrameBuffers(const gpu::Device& device, const gpu::DescriptorSet& 
     });
 }
 
-void FrameBuffers::resize(glm::uvec2 size) {
+void FrameBuffers::resize(glm::uvec2 picture, glm::uvec2 size, bool scales) {
     const uint64_t pixels = uint64_t{size.x} * size.y;
     const auto make = [&](uint64_t bytes, const char* name) {
         return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
@@ -55,21 +55,25 @@ void FrameBuffers::resize(glm::uvec2 size) {
     gpu::Buffer exposure =
         make(sizeof(float) + uint64_t{(size.x + 7) / 8} * ((size.y + 7) / 8) * sizeof(glm::vec2),
              "exposure");
-    gpu::Buffer display = make(pixels * sizeof(uint32_t), "display");
+    gpu::Buffer display = make(uint64_t{picture.x} * picture.y * sizeof(uint32_t), "display");
+    gpu::Buffer toned = scales ? make(pixels * sizeof(uint32_t), "toned") : gpu::Buffer();
     surfaces_ = std::move(surfaces);
     radiance_ = std::move(radiance);
     accumulation_ = std::move(accumulation);
     exposure_ = std::move(exposure);
     display_ = std::move(display);
-    size_ = size;
+    toned_ = std::move(toned);
+    picture_size_ = picture;
+    size_ = most_traced_ = size;
+    scales_ = scales;
 }
 
 void FrameBuffers::keep_filter_input(bool keep) {
     filter_input_ = gpu::Buffer();
     if (keep)
-        filter_input_ =
-            gpu::Buffer(device_, uint64_t{size_.x} * size_.y * sizeof(shader::FilterInput),
-                        gpu::MemoryUse::Device, "filter input");
+        filter_input_ = gpu::Buffer(
+            device_, uint64_t{most_traced_.x} * most_traced_.y * sizeof(shader::FilterInput),
+            gpu::MemoryUse::Device, "filter input");
 }
 
 void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
@@ -92,7 +96,7 @@ void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
     scene_set_.bind(BINDING_ACCUMULATION, accumulation_);
     scene_set_.bind(BINDING_EXPOSURE, exposure_);
     scene_set_.bind(BINDING_COUNTERS, counters_);
-    scene_set_.bind(BINDING_DISPLAY, display_);
+    scene_set_.bind(BINDING_DISPLAY, scales_ ? toned_ : display_);
     scene_set_.bind(BINDING_DIRECTION_MAP, direction_map_);
     // The compute backend's pipelines do not look at this binding.
     if (scene.acceleration_structure() != VK_NULL_HANDLE)

@@ -16,9 +16,12 @@ public:
     /// `guiding` is a set like set 2.
     FrameBuffers(const gpu::Device& device, const gpu::DescriptorSet& guiding);
 
-    /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
-    /// too small.
-    void resize(glm::uvec2 size);
+    /// Makes the per-pixel buffers: of the picture, and of what is traced of it at most. `scales`:
+    /// the picture is scaled up from what is traced. The GPU must be idle. Throws Error if the
+    /// device's buffers are too small.
+    void resize(glm::uvec2 picture, glm::uvec2 most_traced, bool scales);
+    /// How much the next frame traces: no more than there is room for.
+    void trace(glm::uvec2 size) { size_ = size; }
     /// Makes or gives back what the path tracer writes for the filter. The GPU must be idle, and
     /// the sets are to be bound anew. Throws Error if the device's buffers are too small.
     void keep_filter_input(bool keep);
@@ -49,7 +52,13 @@ public:
     /// Of the first side.
     const gpu::DescriptorSet& technique_set() const { return technique_sets_[0]; }
 
+    /// Pixels that are traced.
     glm::uvec2 size() const { return size_; }
+    glm::uvec2 most_traced() const { return most_traced_; }
+    glm::uvec2 picture_size() const { return picture_size_; }
+    bool scales() const { return scales_; }
+    /// The toned picture before it is scaled up; only where it is.
+    const gpu::Buffer& toned() const { return toned_; }
     glm::uvec2 tiles() const { return (size_ + 7u) / 8u; }
     const gpu::Buffer& display() const { return display_; }
     const gpu::Buffer& mean_radiance() const { return accumulation_; }
@@ -61,9 +70,10 @@ public:
 
 private:
     const gpu::Device& device_;
-    glm::uvec2 size_{0, 0};
+    glm::uvec2 size_{0, 0}, most_traced_{0, 0}, picture_size_{0, 0};
+    bool scales_ = false;
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
-        display_, ltc_, direction_map_, filter_input_;
+        display_, toned_, ltc_, direction_map_, filter_input_;
     gpu::DescriptorSet scene_set_;
     std::array<gpu::DescriptorSet, most_sides> technique_sets_;
     gpu::PipelineLayout layout_;

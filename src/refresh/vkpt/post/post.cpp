@@ -5,6 +5,22 @@
 
 namespace vigil::vkpt {
 
+Post::Post(const gpu::Device& device, gpu::PipelineCompiler& compiler, const FrameBuffers& buffers)
+    : buffers_(buffers), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+      upscale_set_(device, std::vector(UPSCALE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+                   unused_, "upscale set"),
+      upscale_layout_(device, {&upscale_set_}),
+      accumulate_(Pass::Accumulate, compiler, buffers.layout()),
+      exposure_(Pass::Exposure, compiler, buffers.layout()),
+      tonemap_(Pass::Tonemap, compiler, buffers.layout()),
+      upscale_(Pass::Upscale, compiler, upscale_layout_) {}
+
+void Post::bind() {
+    if (!buffers_.scales()) return;
+    upscale_set_.bind(BINDING_UPSCALE_TRACED, buffers_.toned());
+    upscale_set_.bind(BINDING_UPSCALE_DISPLAY, buffers_.display());
+}
+
 void Post::choose(const PictureSide& side, int view) {
     // The views are a large shader of their own, which few ever see.
     const uint32_t has_view = view == shader::VIEW_NONE ? 0 : 1;
@@ -16,6 +32,7 @@ void Post::prepare(std::span<const PictureSide> sides, int view) {
     exposure_.choose();
     for (const PictureSide& side : sides)
         if (side.first_column < side.end_column) choose(side, view);
+    if (buffers_.scales()) upscale_.choose();
 }
 
 void Post::record(gpu::FrameCommands& commands, std::span<const PictureSide> sides, int view,
@@ -30,6 +47,11 @@ void Post::record(gpu::FrameCommands& commands, std::span<const PictureSide> sid
         tonemap_.record(commands, buffers_.side(sides, i, paths, paths).inputs(),
                         buffers_.groups(sides[i]));
     }
+    if (!buffers_.scales()) return;
+    const glm::uvec2 sizes[] = {buffers_.size(), buffers_.picture_size()};
+    const VkDescriptorSet set = upscale_set_.handle();
+    upscale_.record(commands, {std::span(&set, 1), gpu::bytes_of(sizes)},
+                    {{(sizes[1] + 7u) / 8u, 1}});
 }
 
 } // namespace vigil::vkpt

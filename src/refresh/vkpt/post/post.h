@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From a frame's radiance to the finished 8-bit picture: the running mean, the exposure, and tone
-// mapping, in which debug views (pt_view) take the picture's place.
+// From a frame's radiance to the finished 8-bit picture: the running mean, the exposure, tone
+// mapping, in which debug views (pt_view) take the picture's place, and scaling up.
 #pragma once
 
 #include "refresh/vkpt/pathtrace/frame_buffers.h"
@@ -10,10 +10,10 @@ namespace vigil::vkpt {
 class Post {
 public:
     /// `buffers` outlive it.
-    Post(gpu::PipelineCompiler& compiler, const FrameBuffers& buffers)
-        : buffers_(buffers), accumulate_(Pass::Accumulate, compiler, buffers.layout()),
-          exposure_(Pass::Exposure, compiler, buffers.layout()),
-          tonemap_(Pass::Tonemap, compiler, buffers.layout()) {}
+    Post(const gpu::Device& device, gpu::PipelineCompiler& compiler, const FrameBuffers& buffers);
+
+    /// Follows buffers of another size. The GPU must be idle.
+    void bind();
 
     /// Has the pipelines made that record() will need for these sides; `view` is pt_view.
     void prepare(std::span<const PictureSide> sides, int view);
@@ -25,7 +25,10 @@ private:
     void choose(const PictureSide& side, int view);
 
     const FrameBuffers& buffers_;
-    ComputePass accumulate_, exposure_, tonemap_;
+    gpu::Buffer unused_;
+    gpu::DescriptorSet upscale_set_;
+    gpu::PipelineLayout upscale_layout_;
+    ComputePass accumulate_, exposure_, tonemap_, upscale_;
 };
 
 } // namespace vigil::vkpt
