@@ -44,6 +44,10 @@ Light2 unpack_light(uvec4 packed) {
     return Light2(vec3(unpackHalf2x16(packed.x), middle.x), vec3(middle.y, unpackHalf2x16(packed.z)), unpackHalf2x16(packed.w));
 }
 
+/// What filter_compose leaves for filter_taa: a colour as bits of floats, where the last step over neighbours read.
+uint composed_index(uint index) { return ((filter_step + 1u) & 1u) * pixel_count() + index; }
+uvec4 composed(uint index) { return filter_light[composed_index(index)]; }
+
 vec2 luminances(vec3 direct, vec3 indirect) { return vec2(luminance(direct), luminance(indirect)); }
 
 /// A pixel's camera ray, not of length 1: 1 along the forward axis.

@@ -56,11 +56,12 @@ void main() {
         const Light2 light = unpack_light(filter_light[source + there]);
         // How much the other surface is like this one, and how much its light may be the same.
         const float aligned = max(dot(unpack_normal(other.normal), normal), 0.0);
-        const float aligned8 = aligned * aligned * aligned * aligned * aligned * aligned * aligned * aligned;
+        const float aligned2 = aligned * aligned;
+        const float aligned8 = aligned2 * aligned2 * aligned2 * aligned2;
         const float off_plane = abs(dot(other.depth * pixel_ray(vec2(at), vec2(0.5)) - position, normal)) * per_plane_distance;
         const float kernel = (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0);
         const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) * tolerance;
-        const vec2 weight = kernel * aligned8 * aligned8 * aligned8 * aligned8 * exp(-apart - off_plane);
+        const vec2 weight = kernel * aligned8 * aligned8 * exp(-apart - off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
         sum.deviation += weight * weight * light.deviation * light.deviation;

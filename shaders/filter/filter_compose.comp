@@ -6,15 +6,33 @@
 #include "shared/extensions.glsl"
 #include "filter/filter.glsl"
 
+/// What a pixel's surface reflects, filtered.
+vec3 lit_surface(uint index) {
+    const PrimaryHit hit = primary_hits[index];
+    if (hit.primitive == NONE) return vec3(0.0);
+    const Light2 light = unpack_light(filter_light[(filter_step & 1u) * pixel_count() + index]);
+    return filter_albedo(hit.albedo, unpackHalf2x16(hit.gloss).y) * (light.direct + light.indirect);
+}
+
+/// The same where several surfaces lie behind each other: pixels around show others of them (primary.comp, see_layers).
+vec3 lit_layers(ivec2 pixel) {
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        const ivec2 at = pixel + ivec2(i % 3 - 1, i / 3 - 1);
+        if (!inside_picture(at) || (primary_hits[pixel_index(at)].flags & PRIMARY_HIT_LAYERED) == 0u) continue;
+        sum += lit_surface(pixel_index(at));
+        count += 1.0;
+    }
+    return sum / max(count, 1.0);
+}
+
 void main() {
     uvec2 pixel;
     if (!pixel_of_side(pixel)) return;
     const uint index = pixel.y * frame.size.x + pixel.x;
-    const PrimaryHit hit = primary_hits[index];
-    vec3 value = filter_input[index].emission / float(path_count);
-    if (hit.primitive != NONE) {
-        const Light2 light = unpack_light(filter_light[(filter_step & 1u) * pixel_count() + index]);
-        value += filter_albedo(hit.albedo, unpackHalf2x16(hit.gloss).y) * (light.direct + light.indirect);
-    }
-    radiance[index] = value * float(path_count);
+    const bool layered = (primary_hits[index].flags & PRIMARY_HIT_LAYERED) != 0u;
+    const vec3 value = filter_input[index].emission / float(path_count) + (layered ? lit_layers(ivec2(pixel)) : lit_surface(index));
+    if ((frame.filter_flags & FILTER_TAA) != 0u) filter_light[composed_index(index)] = uvec4(floatBitsToUint(value), 0u);
+    else radiance[index] = value * float(path_count);
 }

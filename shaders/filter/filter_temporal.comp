@@ -4,37 +4,10 @@
 // Variance-Guided Filtering", 2017, sections 4.1 and 4.2), after samples far brighter than their surroundings were dimmed.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
-#include "filter/filter.glsl"
 #include "filter/past.glsl"
+#include "filter/tiles.glsl"
 
-/// What the neighbours' samples of this frame say about a pixel without a past.
-struct Neighbourhood {
-    vec2 brightest;      // luminances, direct and indirect, without the pixel itself
-    vec2 mean;           // with it
-    vec2 second_moments; // square roots of mean squares, with it
-};
-
-const int NEIGHBOURS = 2; // in each direction
-
-Neighbourhood look_around(ivec2 pixel, PrimaryHit hit) {
-    Neighbourhood seen = Neighbourhood(vec2(0.0), vec2(0.0), vec2(0.0));
-    float count = 0.0;
-    for (int y = -NEIGHBOURS; y <= NEIGHBOURS; ++y)
-        for (int x = -NEIGHBOURS; x <= NEIGHBOURS; ++x) {
-            const ivec2 at = pixel + ivec2(x, y);
-            if (!inside_picture(at)) continue;
-            const uint index = pixel_index(at);
-            if (primary_hits[index].primitive == NONE || dot(primary_hits[index].normal, hit.normal) < 0.8) continue;
-            const vec2 bright = min(luminances(filter_input[index].direct, filter_input[index].indirect) / float(path_count), vec2(FILTER_MAX));
-            if (x != 0 || y != 0) seen.brightest = max(seen.brightest, bright);
-            seen.mean += bright;
-            seen.second_moments += bright * bright;
-            count += 1.0;
-        }
-    seen.mean /= count;
-    seen.second_moments = sqrt(seen.second_moments / count);
-    return seen;
-}
+const float YOUNG = 4.0;  // frames; a shorter past does not say how much light varies
 
 vec3 dim(vec3 light, float limit) {
     const float bright = luminance(light);
@@ -46,51 +19,55 @@ void main() {
     if (any(greaterThanEqual(pixel, frame.size))) return;
     const uint index = pixel.y * frame.size.x + pixel.x;
     const PrimaryHit hit = primary_hits[index];
-    FilterSurface surface = FilterSurface(0u, 0.0, 0u);
+    FilterSurface surface = FilterSurface(0u, 0.0, 0u, NONE, NONE, 0u);
     if (hit.primitive == NONE) {
         filter_surfaces[this_half() + index] = surface;
         filter_light[index] = uvec4(0u);
         return;
     }
     surface.normal = pack_normal(hit.normal);
-    surface.depth = dot(hit.position - frame.camera_origin, frame.camera_forward);
+    surface.depth = max(dot(hit.position - frame.camera_origin, frame.camera_forward), 1e-3);
     surface.id = hit.instance;
+    surface.direct_light = filter_input[index].direct_light;
+    surface.indirect_light = filter_input[index].indirect_light;
+    surface.brightness = packHalf2x16(sample_brightness(index));
     filter_surfaces[this_half() + index] = surface;
 
-    const Past past = find_past(hit, surface);
+    // Dim what is far brighter than what is known of the place.
+    Past past = find_past(hit, surface);
     vec3 direct = filter_input[index].direct / float(path_count);
     vec3 indirect = filter_input[index].indirect / float(path_count);
-
-    // Dim what is far brighter than is known of the place.
-    const bool young = past.frames < 4.0;
-    vec2 limits;
-    Neighbourhood around;
-    if (young) around = look_around(ivec2(pixel), hit);
-    const float fireflies = frame.settings.flt_firefly;
-    if (fireflies > 0.0) {
-        const vec2 mean = luminances(past.direct, past.indirect);
-        const vec2 deviation = sqrt(max(past.second_moments * past.second_moments - mean * mean, vec2(0.0)));
-        if (young) limits = around.brightest;
-        else limits = mean + fireflies * deviation;
-        direct = dim(direct, limits.x);
-        indirect = dim(indirect, limits.y);
+    vec2 changed = vec2(0.0);
+    if ((frame.filter_flags & FILTER_CHANGES) != 0u)
+        changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
+    past.frames *= vec2(1.0) - step(vec2(0.95), changed);
+    const FilterTile around = brightness_around(ivec2(pixel));
+    const vec2 past_mean = luminances(past.direct, past.indirect);
+    vec2 limits = vec2(FILTER_MAX);
+    if (frame.settings.flt_firefly > 0.0) {
+        const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
+        const vec2 by_tiles = around.mean + frame.settings.flt_firefly * sqrt(max(around.second_moments - around.mean * around.mean, vec2(0.0)));
+        limits = min(limits, max(by_past, by_tiles));
     }
+    direct = dim(direct, limits.x);
+    indirect = dim(indirect, limits.y);
 
-    // Join both.
-    const float length = min(past.frames + 1.0, float(frame.settings.flt_history));
-    const float part = 1.0 / length;
+    // Join both. Where lamps have changed, what is new counts the more.
+    const vec2 frames = min(past.frames + 1.0, vec2(float(frame.settings.flt_history)));
+    const vec2 part = clamp(max(1.0 / frames, 1.5 * changed), vec2(0.0), vec2(1.0));
     FilterHistory joined;
-    joined.direct = mix(past.direct, min(direct, vec3(FILTER_MAX)), part);
-    joined.indirect = mix(past.indirect, min(indirect, vec3(FILTER_MAX)), part);
-    const vec2 bright = min(luminances(direct, indirect), vec2(FILTER_MAX));
-    const vec2 second_moments = sqrt(mix(past.second_moments * past.second_moments, bright * bright, part));
-    joined.second_moments = packHalf2x16(second_moments);
-    joined.lengths = packHalf2x16(vec2(length));
+    joined.direct = mix(past.direct, direct, part.x);
+    joined.indirect = mix(past.indirect, indirect, part.y);
+    const vec2 bright = luminances(direct, indirect);
+    const vec2 second_moments = mix(past.second_moments, bright * bright, part);
+    joined.second_moments = packHalf2x16(sqrt(second_moments));
+    joined.lengths = packHalf2x16(1.0 / part);
     filter_history[this_half() + index] = joined;
 
-    // How far the means may be off: from their own past, or, while that is short, from the neighbours.
+    // How far the means may be off: from their own past, or, while that is short, from the tiles around.
+    const bvec2 young = lessThan(frames, vec2(YOUNG));
     const vec2 mean = luminances(joined.direct, joined.indirect);
-    vec2 deviation = sqrt(max(second_moments * second_moments - mean * mean, vec2(0.0)) * part);
-    if (young) deviation = max(deviation, max(around.second_moments, mean) * sqrt(part));
-    filter_light[index] = pack_light(Light2(joined.direct, joined.indirect, deviation));
+    const vec2 known = max(second_moments - mean * mean, vec2(0.0));
+    const vec2 variance = mix(known, max(known, around.second_moments), young) * part;
+    filter_light[index] = pack_light(Light2(joined.direct, joined.indirect, sqrt(variance)));
 }

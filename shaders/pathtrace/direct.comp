@@ -17,5 +17,7 @@ void main() {
     const uint flags = (light.radiance == vec3(0.0) ? PRIMARY_HIT_UNLIT : 0u) | (light.explored ? PRIMARY_HIT_EXPLORED : 0u);
     primary_hits[index].flags |= flags;
     add_radiance(index, light.radiance, false);
-    if (frame.filter_flags != 0u) filter_input[index].direct = radiance_sum(filter_input[index].direct, without_albedo(hit, light.radiance));
+    if (frame.filter_flags == 0u) return;
+    filter_input[index].direct = radiance_sum(filter_input[index].direct, without_albedo(hit, light.radiance));
+    if (path_index == 0u) filter_input[index].direct_light = light.light;
 }

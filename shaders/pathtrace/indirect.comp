@@ -14,7 +14,9 @@ void learn_direction(Guided guided, vec3 brought) {
         store_ray_sample(guided.leaf, guided.grid, finite_or_zero(min(luminance(brought), 1e15) * inversesqrt(guided.pdf)));
 }
 
-vec3 trace_path(Surface surface, inout Random random) {
+/// `light` is what was drawn where the first ray ended.
+vec3 trace_path(Surface surface, inout Random random, out uint light) {
+    light = NONE;
     vec3 gathered = vec3(0.0);
     vec3 throughput = vec3(1.0);
     // Of the first ray: what it brings grows with what the second finds.
@@ -38,6 +40,7 @@ vec3 trace_path(Surface surface, inout Random random) {
             first = guided;
             first_brought = end.taught;
             sent = true;
+            light = end.light;
         } else {
             first_brought += weight * end.taught;
             learn_direction(guided, end.taught);
@@ -56,7 +59,10 @@ void main() {
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return;
     Random random = path_random(pixel, STREAM_INDIRECT);
-    const vec3 gathered = trace_path(load_primary_surface(hit), random);
+    uint light;
+    const vec3 gathered = trace_path(load_primary_surface(hit), random, light);
     add_radiance(index, gathered, false);
-    if (frame.filter_flags != 0u) filter_input[index].indirect = radiance_sum(filter_input[index].indirect, without_albedo(hit, gathered));
+    if (frame.filter_flags == 0u) return;
+    filter_input[index].indirect = radiance_sum(filter_input[index].indirect, without_albedo(hit, gathered));
+    if (path_index == 0u) filter_input[index].indirect_light = light;
 }

@@ -88,6 +88,7 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
 struct RayEnd {
     vec3 brought; // radiance along the ray, towards its origin: without what further rays find
     vec3 taught;  // the part of it that no light sample draws
+    uint light;   // that was drawn there, or NONE
     bool goes_on; // a further ray may be sent from `surface`, which is not set otherwise
     Surface surface;
 };
@@ -98,6 +99,7 @@ RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, bool ray
     RayEnd end;
     end.brought = vec3(0.0);
     end.taught = vec3(0.0);
+    end.light = NONE;
     end.goes_on = false;
     Hit hit;
     if (!trace_closest(ray, random_next_words(random).x, hit)) return end;
@@ -108,7 +110,9 @@ RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, bool ray
     end.goes_on = true;
     end.surface = vertex.surface;
     if (LIGHTS_FOUND_BY_RAYS == 0 && HAS_LIGHTS) {
-        end.brought += next_event_estimate(end.surface, ray_follows, random).radiance;
+        const DirectLight direct = next_event_estimate(end.surface, ray_follows, random);
+        end.brought += direct.radiance;
+        end.light = direct.light;
         end.taught = end.brought;
     }
     return end;

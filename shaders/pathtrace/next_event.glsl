@@ -13,6 +13,7 @@
 struct DirectLight {
     vec3 radiance; // towards the viewer: an unbiased estimate of that of all the technique's lights
     bool explored; // see LightChoice
+    uint light;    // that was drawn, or NONE
 };
 
 /// A point on a light, and what it contributes unless something is in between.
@@ -96,7 +97,7 @@ DirectLight next_event_estimate(Surface surface, bool ray_follows, inout Random 
     const vec3 value = sampled_radiance(surface, choice, u, seed, ray_follows, outcome);
     // One path per pixel teaches: what is stored is bounded by the resolution.
     if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
-    return DirectLight(value, choice.explored);
+    return DirectLight(value, choice.explored, choice.light);
 }
 
 #endif

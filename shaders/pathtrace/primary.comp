@@ -27,6 +27,45 @@ bool see(Ray ray, uint seed, inout Random random, out Hit hit) {
     return false;
 }
 
+/// Steps that a pixel chooses one of several surfaces by, so that 3 x 3 pixels show each by its share.
+const float layer_steps[9] = float[](0.0, 7.0, 3.0, 6.0, 5.0, 2.0, 4.0, 1.0, 8.0);
+const int MOST_LAYERS = 16;
+
+/// Follows a camera ray through translucent surfaces for the filter: what shines, of all of them by their shares, and one surface to light, which is
+/// chosen by the pixel's place, so that it is the same in the next frame. The mean is that of see(), without its noise. The last of MOST_LAYERS counts
+/// as opaque.
+bool see_layers(Ray ray, uvec2 pixel, uint seed, inout Random random, out Vertex chosen, out vec3 emission, out bool layered) {
+    const float choice = (layer_steps[(pixel.y % 3u) * 3u + pixel.x % 3u] + 0.5) / 9.0;
+    float passes = 1.0; // of what lies behind, this part is seen
+    bool found = false;
+    emission = vec3(0.0);
+    layered = false;
+    chosen.lit = false;
+    Hit hit;
+    if (HAS_EFFECTS && trace_camera(ray, seed, INSTANCE_FRONT, hit)) {
+        chosen = describe_hit(ray, hit, frame.pixel_angle, true);
+        emission = chosen.emission;
+        return true;
+    }
+    for (int layer = 0; layer < MOST_LAYERS; ++layer) {
+        if (!trace_camera(ray, BVH_STOP_AT_ALL, INSTANCE_SEEN, hit)) break;
+        float share = hit_coverage(hit);
+        if (HAS_EFFECTS) share *= cutout_share(ray, hit);
+        if (layer + 1 == MOST_LAYERS) share = 1.0;
+        const Vertex vertex = describe_hit(ray, hit, frame.pixel_angle, true);
+        emission += passes * share * (vertex.sky ? sky_radiance(ray.direction) : vertex.emission);
+        if (!found && choice < 1.0 - passes * (1.0 - share)) {
+            chosen = vertex;
+            found = true;
+        }
+        if (share < 1.0) layered = true;
+        passes *= 1.0 - share;
+        if (passes < 1e-3) break;
+        ray.t_min = uintBitsToFloat(floatBitsToUint(hit.t) + 4u); // just behind
+    }
+    return found;
+}
+
 void main() {
     uvec2 pixel;
     uint index;
@@ -44,9 +83,17 @@ void main() {
     vec3 emission = vec3(0.0);
     Hit hit;
     const uint seed = random_next_words(random).x;
-    if (see(ray, seed, random, hit)) {
-        const Vertex vertex = describe_hit(ray, hit, frame.pixel_angle, true);
-        emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
+    Vertex vertex;
+    bool seen, layered = false;
+    if (HAS_TRANSLUCENT && frame.filter_flags != 0u) {
+        seen = see_layers(ray, pixel, seed, random, vertex, emission, layered);
+    } else {
+        seen = see(ray, seed, random, hit);
+        if (seen) vertex = describe_hit(ray, hit, frame.pixel_angle, true);
+        if (seen) emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
+    }
+    if (layered) stored.flags = PRIMARY_HIT_LAYERED;
+    if (seen) {
         if (vertex.lit) {
             stored.position = vertex.surface.position;
             stored.normal = vertex.surface.normal;
@@ -57,11 +104,11 @@ void main() {
         }
     }
     // What was found not to be finite stays marked while its frame, or its mean, is made.
-    if (path_index > 0u || frame.accumulated > 0u) stored.flags = primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
+    if (path_index > 0u || frame.accumulated > 0u) stored.flags |= primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
     primary_hits[index] = stored;
     add_radiance(index, emission, path_index == 0u);
     if (frame.filter_flags != 0u) {
-        FilterInput start = FilterInput(vec3(0.0), vec3(0.0), vec3(0.0));
+        FilterInput start = FilterInput(vec3(0.0), vec3(0.0), vec3(0.0), NONE, NONE);
         if (path_index > 0u) start = filter_input[index];
         start.emission = radiance_sum(start.emission, emission);
         filter_input[index] = start;

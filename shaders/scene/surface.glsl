@@ -82,6 +82,14 @@ float cutout_share(Ray ray, Hit hit) {
     return hit_texel(ray, hit, triangle, normal, primitive, material, frame.pixel_angle).x;
 }
 
+/// Share of a surface that there is where a ray hits it, 0..1.
+float hit_coverage(Hit hit) {
+    if (!HAS_TRANSLUCENT) return 1.0;
+    uint coverage = bvh_load_triangle(hit.primitive).flags;
+    if (HAS_EFFECTS) coverage = bvh_faded(coverage, bvh_opacity(instances[hit.instance].flags));
+    return float(coverage & TRIANGLE_COVERAGE_MASK) / 255.0;
+}
+
 /// Emission of a triangle light seen from its front; `texel` gives a lamp its look without changing its mean.
 vec3 light_emission(Primitive primitive, BvhTriangle triangle, Hit hit, Material material, vec3 texel, bool textured) {
     const uint first = HAS_INSTANCES ? instances[hit.instance].first_light : 0u;

@@ -95,7 +95,9 @@
 #define BINDING_FILTER_HISTORY 1  // FilterHistory[], two frames
 #define BINDING_FILTER_LIGHT 2    // between two passes over neighbours, twice
 #define BINDING_FILTER_RESOLVED 3 // the picture, two frames
-#define FILTER_BINDING_COUNT 4
+#define BINDING_FILTER_TILES 4
+#define BINDING_FILTER_LIGHT_CHANGES 5
+#define FILTER_BINDING_COUNT 6
 
 // The set of pass `draws`: post/draws.comp.
 #define BINDING_DRAWS_DISPLAY 0 // the finished picture

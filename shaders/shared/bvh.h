@@ -207,11 +207,15 @@ SHADER_FN uint bvh_coverage_hash(uint seed, uint instance, uint primitive) {
     return uint((x >> 8) % 255u);
 }
 
+/// In place of a seed: whatever covers anything stops the ray.
+SHADER_CONST uint BVH_STOP_AT_ALL = 0xffffffffu;
+
 /// Whether a triangle with these flags stops the ray here. Opaque: always. Translucent: only seen
 /// from its front, and with probability coverage / 255.
 SHADER_FN bool bvh_covered(uint flags, bool front, uint seed, uint instance, uint primitive) {
     uint coverage = flags & TRIANGLE_COVERAGE_MASK;
     if (coverage == 255u) return true;
+    if (seed == BVH_STOP_AT_ALL) return front && coverage > 0u;
     return front && bvh_coverage_hash(seed, instance, primitive) < coverage;
 }
 

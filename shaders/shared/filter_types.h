@@ -12,13 +12,18 @@ struct FilterInput {
     vec3 emission; // seen directly
     vec3 direct;   // light that the primary hit reflects, divided by its filter_albedo()
     vec3 indirect;
+    uint direct_light; // id of the light that the first path's sample drew at the primary hit, or NONE
+    uint indirect_light; // the same where its first indirect ray ended
 };
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {
     uint normal; // filter_pack_normal()
     float depth; // along the camera's forward axis, map units; 0: nothing to filter (sky)
-    uint id;     // instance, and what else light does not mix across
+    uint id;     // instance
+    uint direct_light; // as FilterInput
+    uint indirect_light;
+    uint brightness; // packHalf2x16: luminances of the frame's samples, direct and indirect
 };
 
 /// Light of a surface, averaged over frames.
@@ -26,13 +31,23 @@ struct FilterHistory {
     vec3 direct; // mean
     vec3 indirect;
     uint second_moments; // packHalf2x16: square roots of the mean squared luminances, direct and indirect
-    uint lengths;        // packHalf2x16: how many frames the means stand for
+    uint lengths;        // packHalf2x16: how many frames the means are of, direct and indirect
 };
 
 /// FrameParams::filter_flags
 SHADER_CONST uint FILTER_ON = 1u;      // the path tracer writes FilterInput
 SHADER_CONST uint FILTER_HISTORY = 2u; // the frame before left its half of the buffers
 SHADER_CONST uint FILTER_TAA = 4u;     // camera rays are moved within the pixel from frame to frame
+
+SHADER_CONST uint FILTER_CHANGES = 8u; // a lamp has changed since the frame before
+
+/// What is known of the samples in a square of FILTER_TILE pixels; luminances of light without albedo.
+struct FilterTile {
+    vec4 changed;        // sums of two frames: of lamps that have changed, direct and indirect; of all
+    vec2 mean;           // direct and indirect
+    vec2 second_moments; // means of squares
+};
+SHADER_CONST int FILTER_TILE = 4;
 
 /// Brightest light that the filter keeps: halves end at 65504.
 SHADER_CONST float FILTER_MAX = 60000.0f;

@@ -109,6 +109,7 @@ struct PrimaryHit {
 SHADER_CONST uint PRIMARY_HIT_NONFINITE = 1u; // a path through this pixel gave a value that was not finite
 SHADER_CONST uint PRIMARY_HIT_UNLIT = 2u;     // its light sample contributed nothing
 SHADER_CONST uint PRIMARY_HIT_EXPLORED = 4u;  // its light sample looked for a new light
+SHADER_CONST uint PRIMARY_HIT_LAYERED = 8u;   // one of several surfaces behind each other that the pixel shows
 
 /// A triangle that emits `radiance` (uniform, Lambertian) from its front side, in world space this frame.
 /// Its index is its id and stays the same while the light exists; free ids have zero radiance.

@@ -332,7 +332,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         follow_guide_setting();
         rebind_ |= scene_->prepare(frame);
         rebind_ |= prepare_ray_query();
-        rebind_ |= filter_.prepare(settings_);
+        rebind_ |= filter_.prepare(settings_, scene_->lights());
         prepare_sides(frame);
         prepare_pipelines();
         overlay = await_pipelines(overlay);

@@ -22,6 +22,11 @@ float halton(uint32_t index, uint32_t base) {
 /// remembers.
 constexpr uint32_t pixel_points = 16;
 
+glm::uvec2 filter_tiles(glm::uvec2 size) {
+    constexpr auto edge = static_cast<uint32_t>(shader::FILTER_TILE);
+    return (size + (edge - 1)) / edge;
+}
+
 } // namespace
 
 Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, FrameBuffers& buffers)
@@ -30,10 +35,17 @@ Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, Frame
       set_(device,
            std::vector<VkDescriptorType>(FILTER_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
            unused_, "filter set"),
-      layout_(device, {&buffers.scene_set(), &set_}),
+      layout_(device, {&buffers.scene_set(), &set_}), light_changes_(device, "light changes"),
+      tiles_(Pass::FilterTiles, compiler, layout_),
       temporal_(Pass::FilterTemporal, compiler, layout_),
       atrous_(Pass::FilterAtrous, compiler, layout_),
-      compose_(Pass::FilterCompose, compiler, layout_) {}
+      compose_(Pass::FilterCompose, compiler, layout_),
+      taa_pass_(Pass::FilterTaa, compiler, layout_) {}
+
+void Filter::forget() {
+    has_past_ = false;
+    changes_.forget();
+}
 
 bool Filter::wanted(const refresh::Settings& settings) {
     return settings.flt_enable != 0 && settings.pt_accumulate == 0;
@@ -41,16 +53,29 @@ bool Filter::wanted(const refresh::Settings& settings) {
 
 Filter::Kept Filter::make_buffers() const {
     const uint64_t pixels = uint64_t{buffers_.size().x} * buffers_.size().y;
+    const glm::uvec2 tiles = filter_tiles(buffers_.size());
     const auto make = [&](uint64_t bytes, const char* name) {
         return gpu::Buffer(device_, bytes, gpu::MemoryUse::Device, name);
     };
     return {make(2 * pixels * sizeof(shader::FilterSurface), "filter surfaces"),
             make(2 * pixels * sizeof(shader::FilterHistory), "filter history"),
             make(2 * pixels * sizeof(glm::uvec4), "filter light"),
-            make(2 * pixels * sizeof(glm::vec3), "filter resolved")};
+            make(2 * pixels * sizeof(glm::vec3), "filter resolved"),
+            make(uint64_t{tiles.x} * tiles.y * sizeof(shader::FilterTile), "filter tiles")};
 }
 
-bool Filter::prepare(const refresh::Settings& settings) {
+bool Filter::prepare(const refresh::Settings& settings, const LightSet& lights) {
+    const bool rebind = follow(settings);
+    changed_ = on_ && settings.flt_antilag != 0 &&
+               changes_.update(lights.lights(), lights.revision());
+    if (changed_ && light_changes_.set(std::as_bytes(changes_.factors()))) {
+        device_.wait_idle();
+        set_.bind(BINDING_FILTER_LIGHT_CHANGES, light_changes_.buffer());
+    }
+    return rebind;
+}
+
+bool Filter::follow(const refresh::Settings& settings) {
     const bool wanted = Filter::wanted(settings);
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
@@ -61,7 +86,7 @@ bool Filter::prepare(const refresh::Settings& settings) {
     // Sizes and bindings change: the GPU must be idle.
     device_.wait_idle();
     on_ = false;
-    has_past_ = false;
+    forget();
     kept_ = {};
     buffers_.keep_filter_input(false);
     if (!on) return true;
@@ -72,6 +97,7 @@ bool Filter::prepare(const refresh::Settings& settings) {
         set_.bind(BINDING_FILTER_HISTORY, kept_.history);
         set_.bind(BINDING_FILTER_LIGHT, kept_.light);
         set_.bind(BINDING_FILTER_RESOLVED, kept_.resolved);
+        set_.bind(BINDING_FILTER_TILES, kept_.tiles);
         size_ = buffers_.size();
         on_ = true;
     } catch (const Error& error) {
@@ -85,6 +111,8 @@ bool Filter::prepare(const refresh::Settings& settings) {
 
 void Filter::prepare_pipelines() {
     if (!on_) return;
+    tiles_.choose();
+    if (taa_) taa_pass_.choose();
     temporal_.choose();
     if (steps_ > 0) atrous_.choose();
     compose_.choose();
@@ -103,6 +131,7 @@ void Filter::describe(shader::FrameParams& params) {
         const uint32_t point = frame_ % pixel_points;
         if (jitters_) params.pixel_point = {halton(point, 2), halton(point, 3)};
     }
+    if (changed_) params.filter_flags |= shader::FILTER_CHANGES;
     params.filter_half = frame_ & 1;
     params.last_pixel_point = last_.pixel_point;
     params.last_camera_origin = last_.camera_origin;
@@ -125,18 +154,21 @@ void Filter::record(gpu::FrameCommands& commands, std::span<const PictureSide> s
         const std::array<VkDescriptorSet, 2> sets{inputs.sets[0], set_.handle()};
         pass.record(commands, {sets, gpu::bytes_of_value(inputs.push)}, groups);
     };
+    if (changed_) light_changes_.upload(commands);
+    record_pass(tiles_, 0, 0, {{(filter_tiles(buffers_.size()) + 7u) / 8u, 1}});
     record_pass(temporal_, 0, 0, buffers_.groups());
     for (int step = 0; step < steps_; ++step)
         record_pass(atrous_, 0, step, buffers_.groups());
-    for (size_t side = 0; side < sides.size(); ++side)
-        if (sides[side].filtered && sides[side].first_column < sides[side].end_column)
-            record_pass(compose_, side, steps_, buffers_.groups(sides[side]));
+    for (const ComputePass* pass : {&compose_, taa_ ? &taa_pass_ : nullptr})
+        for (size_t side = 0; side < sides.size() && pass != nullptr; ++side)
+            if (sides[side].filtered && sides[side].first_column < sides[side].end_column)
+                record_pass(*pass, side, steps_, buffers_.groups(sides[side]));
 }
 
 uint64_t Filter::bytes() const {
     if (!on_) return 0;
     return buffers_.filter_input().bytes() + kept_.surfaces.bytes() + kept_.history.bytes() +
-           kept_.light.bytes() + kept_.resolved.bytes();
+           kept_.light.bytes() + kept_.resolved.bytes() + kept_.tiles.bytes();
 }
 
 } // namespace vigil::vkpt

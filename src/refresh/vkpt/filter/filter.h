@@ -3,6 +3,8 @@
 // (shaders/filter; docs/filter.md). It owns what is kept per pixel for that, and exists on the GPU only while it is on.
 #pragma once
 
+#include "refresh/vkpt/filter/light_changes.h"
+#include "refresh/vkpt/gpu/growing_buffer.h"
 #include "refresh/vkpt/pathtrace/frame_buffers.h"
 
 namespace vigil::vkpt {
@@ -16,11 +18,11 @@ public:
     static bool wanted(const refresh::Settings& settings);
     /// Makes what a filtered frame needs, or gives it back. Returns whether `buffers` are to be bound
     /// anew. Where memory does not suffice it says so once, and frames stay as they are traced.
-    bool prepare(const refresh::Settings& settings);
+    bool prepare(const refresh::Settings& settings, const LightSet& lights);
     /// Has the pipelines made that record() will need.
     void prepare_pipelines();
     /// The next frame has no past.
-    void forget() { has_past_ = false; }
+    void forget();
     /// Fills the filter's part of a frame's parameters, and takes its camera for the past of the next.
     void describe(shader::FrameParams& params);
     /// Records the passes, if the frame that was described last is filtered.
@@ -32,9 +34,10 @@ public:
 
 private:
     struct Kept { // by pixel
-        gpu::Buffer surfaces, history, light, resolved;
+        gpu::Buffer surfaces, history, light, resolved, tiles;
     };
     Kept make_buffers() const;
+    bool follow(const refresh::Settings& settings);
 
     const gpu::Device& device_;
     FrameBuffers& buffers_;
@@ -42,7 +45,10 @@ private:
     Kept kept_;
     gpu::DescriptorSet set_;
     gpu::PipelineLayout layout_;
-    ComputePass temporal_, atrous_, compose_;
+    gpu::GrowingBuffer light_changes_;
+    ComputePass tiles_, temporal_, atrous_, compose_, taa_pass_;
+    LightChanges changes_;
+    bool changed_ = false; // a lamp, in the frame that was prepared last
     glm::uvec2 size_{0, 0}; // that the buffers are for
     int steps_ = 0;         // over neighbours
     bool on_ = false;

@@ -34,9 +34,11 @@ enum class Waits {
     ROW(Direct, "direct", PathTracing, Shaders) /* next event estimation at the primary hit */ \
     ROW(Indirect, "indirect", PathTracing, Shaders) /* BRDF rays and next event estimation where they land */ \
     ROW(DirectionMap, "direction_map", Other, Shaders) /* radiance that arrives at the crosshair, for pt_view cdq */ \
+    ROW(FilterTiles, "filter_tiles", Filter, Copies) /* how bright light is around, and where lamps have changed */ \
     ROW(FilterTemporal, "filter_temporal", Filter, Shaders) /* light of this frame and of those before */ \
     ROW(FilterAtrous, "filter_atrous", Filter, Shaders) /* light of neighbouring pixels, several times */ \
     ROW(FilterCompose, "filter_compose", Filter, Shaders) /* light on the surfaces' colours */ \
+    ROW(FilterTaa, "filter_taa", Filter, Shaders) /* anti-aliasing over frames */ \
     ROW(Accumulate, "accumulate", Other, Shaders) /* running mean and tile luminances */ \
     ROW(Exposure, "exposure", Other, Shaders) /* automatic exposure */ \
     ROW(Tonemap, "tonemap", Other, Shaders) /* radiance to 8-bit sRGB, or a debug view */ \

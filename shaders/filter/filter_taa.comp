@@ -1,0 +1,89 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `filter_taa`: temporal anti-aliasing (Karis, "High Quality Temporal Supersampling", 2014). Camera rays pass through another point of the pixel in
+// every frame; the mean over frames follows what moves, within the colours that are around the pixel now (Salvi 2016).
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "filter/filter.glsl"
+#include "filter/motion.glsl"
+#include "post/picture.glsl"
+#include "shared/firewall.h"
+
+const float NEW_PART = 0.1;  // of this frame in the mean
+const float DEVIATIONS = 1.25; // that the mean may be off the colours around
+
+/// Bright pixels count less than their radiance, so that edges next to lamps are smooth as well. To and fro.
+vec3 compress(vec3 value, float factor) { return value / (1.0 + factor * luminance(value)); }
+vec3 expand(vec3 value, float factor) { return value / max(1.0 - factor * luminance(value), 1e-4); }
+
+float catmull_rom(float x) {
+    x = abs(x);
+    return x < 1.0 ? (1.5 * x - 2.5) * x * x + 1.0 : ((-0.5 * x + 2.5) * x - 4.0) * x + 2.0;
+}
+
+/// The mean of the frame before at a place between its pixels; false outside of the picture.
+bool resolved_before(vec2 place, float factor, out vec3 value) {
+    const vec2 corner = place - 0.5;
+    const ivec2 first = ivec2(floor(corner));
+    const vec2 within = corner - vec2(first);
+    value = vec3(0.0);
+    if (!inside_picture(ivec2(floor(place)))) return false;
+    if (all(lessThan(abs(within - 0.5), vec2(0.4999)))) {
+        float weights = 0.0;
+        for (int y = -1; y <= 2; ++y)
+            for (int x = -1; x <= 2; ++x) {
+                const ivec2 at = clamp(first + ivec2(x, y), ivec2(0), ivec2(frame.size) - 1);
+                const float weight = catmull_rom(within.x - float(x)) * catmull_rom(within.y - float(y));
+                value += weight * compress(filter_resolved[last_half() + pixel_index(at)], factor);
+                weights += weight;
+            }
+        value = max(value / weights, vec3(0.0));
+    } else {
+        const ivec2 at = clamp(ivec2(floor(place)), ivec2(0), ivec2(frame.size) - 1);
+        value = compress(filter_resolved[last_half() + pixel_index(at)], factor);
+    }
+    return is_finite_nonnegative(value);
+}
+
+void main() {
+    uvec2 pixel;
+    if (!pixel_of_side(pixel)) return;
+    const uint index = pixel.y * frame.size.x + pixel.x;
+    const float factor = exposure > 0.0 && exposure < 1e7 ? exposure : 1.0;
+
+    // The colours around, and the nearest surface there: edges move with what is in front.
+    vec3 middle = vec3(0.0), sum = vec3(0.0), squares = vec3(0.0);
+    vec3 darkest = vec3(1e30), brightest = vec3(0.0);
+    float count = 0.0, nearest = 1e30;
+    ivec2 front = ivec2(pixel);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const ivec2 at = ivec2(pixel) + ivec2(x, y);
+            if (at.x < int(first_column) || at.x >= int(end_column) || at.y < 0 || at.y >= int(frame.size.y)) continue;
+            const vec3 color = compress(uintBitsToFloat(composed(pixel_index(at)).xyz), factor);
+            if (x == 0 && y == 0) middle = color;
+            sum += color;
+            squares += color * color;
+            darkest = min(darkest, color);
+            brightest = max(brightest, color);
+            count += 1.0;
+            const float depth = filter_surfaces[this_half() + pixel_index(at)].depth;
+            if (depth > 0.0 && depth < nearest) {
+                nearest = depth;
+                front = at;
+            }
+        }
+    const vec3 mean = sum / count;
+    const vec3 allowed = DEVIATIONS * sqrt(max(squares / count - mean * mean, vec3(0.0)));
+
+    vec3 value = middle;
+    vec2 place;
+    vec3 before;
+    if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
+        resolved_before(vec2(pixel) + 0.5 + place - (vec2(front) + frame.pixel_point), factor, before))
+        value = mix(clamp(before, max(mean - allowed, darkest), min(mean + allowed, brightest)), middle, NEW_PART);
+    value = expand(max(value, vec3(0.0)), factor);
+    if (!is_finite_nonnegative(value)) value = vec3(0.0);
+    filter_resolved[this_half() + index] = value;
+    radiance[index] = value * float(path_count);
+}

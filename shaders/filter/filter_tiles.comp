@@ -1,0 +1,47 @@
+#version 460
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pass `filter_tiles`: what is known of the light in a tile of 4 x 4 pixels. First, how bright samples are there, over some frames: one pixel alone hardly
+// knows. Second, what part of it comes from lamps that have changed since the frame before: of this frame's samples, which know lamps that came, and of
+// the last frame's, which know lamps that went. In the place of samples that are traced again (Schied et al., "Gradient Estimation for Real-Time Adaptive
+// Temporal Filtering", 2018): it needs no rays.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/extensions.glsl"
+#include "filter/tiles.glsl"
+#include "shared/firewall.h"
+
+const float NEW_PART = 0.1; // of this frame in what is known of brightness
+
+void main() {
+    const ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(place, ivec2(tile_count())))) return;
+    const bool changes = (frame.filter_flags & FILTER_CHANGES) != 0u;
+    FilterTile tile = FilterTile(vec4(0.0), vec2(0.0), vec2(0.0));
+    float count = 0.0;
+    for (int i = 0; i < FILTER_TILE * FILTER_TILE; ++i) {
+        const ivec2 pixel = FILTER_TILE * place + ivec2(i % FILTER_TILE, i / FILTER_TILE);
+        if (!inside_picture(pixel)) continue;
+        const uint index = pixel_index(pixel);
+        if (primary_hits[index].primitive != NONE) {
+            const vec2 bright = sample_brightness(index);
+            tile.mean += bright;
+            tile.second_moments += bright * bright;
+            count += 1.0;
+            if (changes)
+                tile.changed += vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)), bright);
+        }
+        if (!changes || (frame.filter_flags & FILTER_HISTORY) == 0u) continue;
+        const FilterSurface last = filter_surfaces[last_half() + index];
+        if (last.depth == 0.0) continue;
+        const vec2 bright = unpackHalf2x16(last.brightness);
+        tile.changed += vec4(bright * vec2(light_change(last.direct_light), light_change(last.indirect_light)), bright);
+    }
+    tile.mean /= max(count, 1.0);
+    tile.second_moments /= max(count, 1.0);
+    const uint index = tile_index(place);
+    const FilterTile before = filter_tiles[index];
+    if ((frame.filter_flags & FILTER_HISTORY) != 0u && is_finite_nonnegative(vec3(before.mean, dot(before.second_moments, vec2(1.0))))) {
+        tile.mean = mix(before.mean, tile.mean, NEW_PART);
+        tile.second_moments = mix(before.second_moments, tile.second_moments, NEW_PART);
+    }
+    filter_tiles[index] = tile;
+}
