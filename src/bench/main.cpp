@@ -2,8 +2,8 @@
 // The program `vigil_bench`: measurements by name. A benchmark is a row of the table; everything
 // else about it is in its own file.
 #include "bench/benches.h"
-#include "console/cvar.h"
 #include "bench/plan.h"
+#include "console/cvar.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -34,6 +34,8 @@ constexpr Bench benches[] = {
     {"confirm", "values that trade takes for better than the default, with fresh seeds",
      run_experiment<confirm_plan>},
     {"hierarchy", "time to build the light hierarchy, by number of lights", run_hierarchy_bench},
+    {"picture", "error, flicker, lag and detail of filtered pictures, and their cost",
+     run_experiment<picture_plan>},
     {"quality", "error of every technique at one sample per pixel, and its cost (figure 8)",
      run_experiment<quality_plan>},
     {"ring", "how fast directional quadtrees follow a light that turns (figure 10)",
@@ -59,7 +61,8 @@ int main(int argc, char** argv) {
         command->callback([&, command] { status = bench.run(command->remaining()); });
     }
     try {
-        vigil::cvars().set("flt_enable", "0"); // what is measured is raw, unless a row says otherwise
+        vigil::cvars().set("flt_enable",
+                           "0"); // what is measured is raw, unless a row says otherwise
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) fmt::print("{}", app.help());
         return status;
