@@ -7,7 +7,6 @@
 #include "scene/frame.glsl"
 #include "shared/brdf.h"
 #include "shared/filter_types.h"
-#include "shared/octahedral.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -23,8 +22,9 @@ uint last_half() { return (1u - frame.filter_half) * pixel_count(); }
 uint pixel_index(ivec2 pixel) { return uint(pixel.y) * frame.size.x + uint(pixel.x); }
 bool inside_picture(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.size))); }
 
-uint pack_normal(vec3 normal) { return packUnorm2x16(octahedral_encode(normal)); }
-vec3 unpack_normal(uint packed) { return octahedral_decode(unpackUnorm2x16(packed)); }
+/// To within 0.4% of its length: the cheapest to unpack, which a step over neighbours does nine times.
+uint pack_normal(vec3 normal) { return packSnorm4x8(vec4(normal, 0.0)); }
+vec3 unpack_normal(uint packed) { return unpackSnorm4x8(packed).xyz; }
 
 /// Direct and indirect light of a pixel, and the standard deviations of their luminances.
 struct Light2 {
@@ -50,23 +50,13 @@ uvec4 composed(uint index) { return filter_light[composed_index(index)]; }
 
 vec2 luminances(vec3 direct, vec3 indirect) { return vec2(luminance(direct), luminance(indirect)); }
 
-/// A pixel's camera ray, not of length 1: 1 along the forward axis.
-vec3 pixel_ray(vec2 pixel, vec2 inside) {
-    const vec2 screen = (pixel + inside) / vec2(frame.size) * 2.0 - 1.0;
-    return frame.camera_forward + screen.x * frame.camera_right - screen.y * frame.camera_up;
-}
-
-vec3 last_pixel_ray(vec2 pixel) {
-    const vec2 screen = (pixel + frame.last_pixel_point) / vec2(frame.size) * 2.0 - 1.0;
-    return frame.last_camera_forward + screen.x * frame.last_camera_right - screen.y * frame.last_camera_up;
-}
-
 /// Where in the frame before, in pixels from the corner of the picture, a point at `offset` from that frame's camera was. The first pixel's middle is
 /// 0.5. False behind the camera.
 bool project_last(vec3 offset, out vec2 place) {
     const float depth = dot(offset, frame.last_camera_forward);
     const vec2 screen = vec2(dot(offset, frame.last_camera_right) / dot(frame.last_camera_right, frame.last_camera_right),
-                             -dot(offset, frame.last_camera_up) / dot(frame.last_camera_up, frame.last_camera_up)) / depth;
+                             -dot(offset, frame.last_camera_up) / dot(frame.last_camera_up, frame.last_camera_up)) /
+                        depth;
     place = (0.5 * screen + 0.5) * vec2(frame.size);
     return depth > 0.0;
 }

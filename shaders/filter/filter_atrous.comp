@@ -6,20 +6,22 @@
 #include "shared/extensions.glsl"
 #include "filter/filter.glsl"
 
-/// Standard deviations around a pixel, smoothed: one pixel's own is itself a guess.
-vec2 smooth_deviation(ivec2 pixel, uint source) {
+float kernel_weight(ivec2 step) { return (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0); }
+
+/// Variances around a pixel, smoothed: one pixel's own is itself a guess, until a first step has averaged it.
+vec2 smooth_variance(ivec2 pixel, uint source, vec2 deviation) {
+    if (filter_step > 0u) return deviation * deviation;
     vec2 sum = vec2(0.0);
     float weights = 0.0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
-            const ivec2 at = pixel + ivec2(x, y);
-            if (!inside_picture(at)) continue;
-            const vec2 deviation = unpackHalf2x16(filter_light[source + pixel_index(at)].w);
-            const float weight = (x == 0 ? 2.0 : 1.0) * (y == 0 ? 2.0 : 1.0);
-            sum += weight * deviation * deviation;
-            weights += weight;
+            const ivec2 step = ivec2(x, y);
+            if (!inside_picture(pixel + step)) continue;
+            const vec2 near = unpackHalf2x16(filter_light[source + pixel_index(pixel + step)].w);
+            sum += kernel_weight(step) * near * near;
+            weights += kernel_weight(step);
         }
-    return sqrt(sum / weights);
+    return sum / weights;
 }
 
 void main() {
@@ -36,11 +38,14 @@ void main() {
     }
     const Light2 middle = unpack_light(packed);
     const vec3 normal = unpack_normal(surface.normal);
-    const vec3 position = surface.depth * pixel_ray(vec2(pixel), vec2(0.5));
     const vec2 bright = luminances(middle.direct, middle.indirect);
-    const vec2 tolerance = 1.0 / (frame.settings.flt_sigma * smooth_deviation(pixel, source) + 1e-4 + 1e-3 * bright);
+    const vec2 variance = smooth_variance(pixel, source, middle.deviation);
     const int stride = 1 << filter_step;
-    const float per_plane_distance = 1.0 / (surface.depth * frame.pixel_angle * float(stride));
+    // Distance from the surface's plane, in widths of the step: depths times the rays' parts along the normal.
+    const float along = dot(camera_ray(vec2(pixel) + frame.pixel_point), normal);
+    const vec2 along_step = 2.0 * float(stride) / vec2(frame.size) * vec2(dot(frame.camera_right, normal), -dot(frame.camera_up, normal));
+    const float own_distance = surface.depth * along;
+    const float per_distance = 1.0 / (surface.depth * frame.pixel_angle * float(stride));
 
     const float own = 4.0;
     vec2 weights = vec2(own);
@@ -58,10 +63,12 @@ void main() {
         const float aligned = max(dot(unpack_normal(other.normal), normal), 0.0);
         const float aligned2 = aligned * aligned;
         const float aligned8 = aligned2 * aligned2 * aligned2 * aligned2;
-        const float off_plane = abs(dot(other.depth * pixel_ray(vec2(at), vec2(0.5)) - position, normal)) * per_plane_distance;
-        const float kernel = (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0);
-        const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) * tolerance;
-        const vec2 weight = kernel * aligned8 * aligned8 * exp(-apart - off_plane);
+        const float off_plane = abs(other.depth * (along + dot(vec2(step), along_step)) - own_distance) * per_distance;
+        // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.
+        const vec2 noise = sqrt(variance + light.deviation * light.deviation);
+        const vec2 apart =
+            abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
+        const vec2 weight = kernel_weight(step) * aligned8 * aligned8 * exp(-apart - off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
         sum.deviation += weight * weight * light.deviation * light.deviation;

@@ -11,7 +11,7 @@ vec3 lit_surface(uint index) {
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return vec3(0.0);
     const Light2 light = unpack_light(filter_light[(filter_step & 1u) * pixel_count() + index]);
-    return filter_albedo(hit.albedo, unpackHalf2x16(hit.gloss).y) * (light.direct + light.indirect);
+    return filter_albedo(hit) * (light.direct + light.indirect);
 }
 
 /// The same where several surfaces lie behind each other: pixels around show others of them (primary.comp, see_layers).
@@ -30,7 +30,7 @@ vec3 lit_layers(ivec2 pixel) {
 void main() {
     uvec2 pixel;
     if (!pixel_of_side(pixel)) return;
-    const uint index = pixel.y * frame.size.x + pixel.x;
+    const uint index = pixel_index(ivec2(pixel));
     const bool layered = (primary_hits[index].flags & PRIMARY_HIT_LAYERED) != 0u;
     const vec3 value = filter_input[index].emission / float(path_count) + (layered ? lit_layers(ivec2(pixel)) : lit_surface(index));
     if ((frame.filter_flags & FILTER_TAA) != 0u) filter_light[composed_index(index)] = uvec4(floatBitsToUint(value), 0u);

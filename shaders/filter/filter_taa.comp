@@ -9,8 +9,10 @@
 #include "post/picture.glsl"
 #include "shared/firewall.h"
 
-const float NEW_PART = 0.1;  // of this frame in the mean
+const float NEW_PART = 0.1;    // of this frame in the mean
 const float DEVIATIONS = 1.25; // that the mean may be off the colours around
+
+bool inside_side(ivec2 pixel) { return inside_picture(pixel) && pixel.x >= int(first_column) && pixel.x < int(end_column); }
 
 /// Bright pixels count less than their radiance, so that edges next to lamps are smooth as well. To and fro.
 vec3 compress(vec3 value, float factor) { return value / (1.0 + factor * luminance(value)); }
@@ -21,25 +23,26 @@ float catmull_rom(float x) {
     return x < 1.0 ? (1.5 * x - 2.5) * x * x + 1.0 : ((-0.5 * x + 2.5) * x - 4.0) * x + 2.0;
 }
 
-/// The mean of the frame before at a place between its pixels; false outside of the picture.
+/// The mean of the frame before at a place between its pixels; false outside of the side.
 bool resolved_before(vec2 place, float factor, out vec3 value) {
     const vec2 corner = place - 0.5;
     const ivec2 first = ivec2(floor(corner));
     const vec2 within = corner - vec2(first);
     value = vec3(0.0);
-    if (!inside_picture(ivec2(floor(place)))) return false;
+    if (!inside_side(ivec2(floor(place)))) return false;
+    const ivec2 least = ivec2(first_column, 0), most = ivec2(end_column, frame.size.y) - 1;
     if (all(lessThan(abs(within - 0.5), vec2(0.4999)))) {
         float weights = 0.0;
         for (int y = -1; y <= 2; ++y)
             for (int x = -1; x <= 2; ++x) {
-                const ivec2 at = clamp(first + ivec2(x, y), ivec2(0), ivec2(frame.size) - 1);
+                const ivec2 at = clamp(first + ivec2(x, y), least, most);
                 const float weight = catmull_rom(within.x - float(x)) * catmull_rom(within.y - float(y));
                 value += weight * compress(filter_resolved[last_half() + pixel_index(at)], factor);
                 weights += weight;
             }
         value = max(value / weights, vec3(0.0));
     } else {
-        const ivec2 at = clamp(ivec2(floor(place)), ivec2(0), ivec2(frame.size) - 1);
+        const ivec2 at = clamp(ivec2(floor(place)), least, most);
         value = compress(filter_resolved[last_half() + pixel_index(at)], factor);
     }
     return is_finite_nonnegative(value);
@@ -48,7 +51,7 @@ bool resolved_before(vec2 place, float factor, out vec3 value) {
 void main() {
     uvec2 pixel;
     if (!pixel_of_side(pixel)) return;
-    const uint index = pixel.y * frame.size.x + pixel.x;
+    const uint index = pixel_index(ivec2(pixel));
     const float factor = exposure > 0.0 && exposure < 1e7 ? exposure : 1.0;
 
     // The colours around, and the nearest surface there: edges move with what is in front.
@@ -59,7 +62,7 @@ void main() {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             const ivec2 at = ivec2(pixel) + ivec2(x, y);
-            if (at.x < int(first_column) || at.x >= int(end_column) || at.y < 0 || at.y >= int(frame.size.y)) continue;
+            if (!inside_side(at)) continue;
             const vec3 color = compress(uintBitsToFloat(composed(pixel_index(at)).xyz), factor);
             if (x == 0 && y == 0) middle = color;
             sum += color;
@@ -75,13 +78,20 @@ void main() {
         }
     const vec3 mean = sum / count;
     const vec3 allowed = DEVIATIONS * sqrt(max(squares / count - mean * mean, vec3(0.0)));
+    // The pixel's own colour is always allowed: small lamps are far from the mean.
+    darkest = min(max(mean - allowed, darkest), middle);
+    brightest = max(min(mean + allowed, brightest), middle);
 
+    // Light that is new, at a place or altogether, is shown at once.
+    float new_part = NEW_PART;
+    if (filter_surfaces[this_half() + index].depth > 0.0)
+        new_part = max(NEW_PART, 1.0 / max(unpackHalf2x16(filter_history[this_half() + index].lengths).x, 1.0));
     vec3 value = middle;
     vec2 place;
     vec3 before;
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
         resolved_before(vec2(pixel) + 0.5 + place - (vec2(front) + frame.pixel_point), factor, before))
-        value = mix(clamp(before, max(mean - allowed, darkest), min(mean + allowed, brightest)), middle, NEW_PART);
+        value = mix(clamp(before, darkest, brightest), middle, new_part);
     value = expand(max(value, vec3(0.0)), factor);
     if (!is_finite_nonnegative(value)) value = vec3(0.0);
     filter_resolved[this_half() + index] = value;

@@ -7,7 +7,7 @@
 #include "filter/past.glsl"
 #include "filter/tiles.glsl"
 
-const float YOUNG = 4.0;  // frames; a shorter past does not say how much light varies
+const float YOUNG = 4.0; // frames; a shorter past does not say how much light varies
 
 vec3 dim(vec3 light, float limit) {
     const float bright = luminance(light);
@@ -17,7 +17,7 @@ vec3 dim(vec3 light, float limit) {
 void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
-    const uint index = pixel.y * frame.size.x + pixel.x;
+    const uint index = pixel_index(ivec2(pixel));
     const PrimaryHit hit = primary_hits[index];
     FilterSurface surface = FilterSurface(0u, 0.0, 0u, NONE, NONE, 0u);
     if (hit.primitive == NONE) {
@@ -38,16 +38,17 @@ void main() {
     vec3 direct = filter_input[index].direct / float(path_count);
     vec3 indirect = filter_input[index].indirect / float(path_count);
     vec2 changed = vec2(0.0);
-    if ((frame.filter_flags & FILTER_CHANGES) != 0u)
-        changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
+    if ((frame.filter_flags & FILTER_CHANGES) != 0u) changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
     past.frames *= vec2(1.0) - step(vec2(0.95), changed);
     const FilterTile around = brightness_around(ivec2(pixel));
     const vec2 past_mean = luminances(past.direct, past.indirect);
     vec2 limits = vec2(FILTER_MAX);
     if (frame.settings.flt_firefly > 0.0) {
         const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
-        const vec2 by_tiles = around.mean + frame.settings.flt_firefly * sqrt(max(around.second_moments - around.mean * around.mean, vec2(0.0)));
-        limits = min(limits, max(by_past, by_tiles));
+        const vec2 by_tiles =
+            around.mean + frame.settings.flt_firefly * sqrt(max(around.second_moments - around.mean * around.mean, vec2(0.0)));
+        // What was seen before says little about lamps that have just come.
+        limits = mix(min(limits, max(by_past, by_tiles)), limits, greaterThan(changed, vec2(0.1)));
     }
     direct = dim(direct, limits.x);
     indirect = dim(indirect, limits.y);

@@ -27,7 +27,9 @@ void main() {
             tile.second_moments += bright * bright;
             count += 1.0;
             if (changes)
-                tile.changed += vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)), bright);
+                tile.changed +=
+                    vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)),
+                         bright);
         }
         if (!changes || (frame.filter_flags & FILTER_HISTORY) == 0u) continue;
         const FilterSurface last = filter_surfaces[last_half() + index];
@@ -40,8 +42,10 @@ void main() {
     const uint index = tile_index(place);
     const FilterTile before = filter_tiles[index];
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && is_finite_nonnegative(vec3(before.mean, dot(before.second_moments, vec2(1.0))))) {
-        tile.mean = mix(before.mean, tile.mean, NEW_PART);
-        tile.second_moments = mix(before.second_moments, tile.second_moments, NEW_PART);
+        // What was known of lamps that have changed is of no use.
+        const vec2 part = clamp(tile.changed.xy / max(tile.changed.zw, vec2(1e-6)), vec2(NEW_PART), vec2(1.0));
+        tile.mean = mix(before.mean, tile.mean, part);
+        tile.second_moments = mix(before.second_moments, tile.second_moments, part);
     }
     filter_tiles[index] = tile;
 }

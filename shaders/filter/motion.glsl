@@ -6,13 +6,8 @@
 #include "filter/filter.glsl"
 #include "scene/scene.glsl"
 
-/// A point of a model, from that frame's camera, and a direction there.
-vec3 offset_before(vec3 position, uint instance) {
-    vec3 then = position;
-    if (instance != 0u)
-        then = instances[instance].previous_world_from_object * vec4(instances[instance].object_from_world * vec4(position, 1.0), 1.0);
-    return then - frame.last_camera_origin;
-}
+/// From the camera of the frame before to where a point of an instance was then.
+vec3 offset_before(vec3 position, uint instance) { return previous_position(position, instance) - frame.last_camera_origin; }
 
 vec3 normal_before(vec3 normal, uint instance) {
     if (instance == 0u) return normal;
@@ -22,7 +17,7 @@ vec3 normal_before(vec3 normal, uint instance) {
 /// What a pixel shows in this frame, in the picture of the frame before (project_last); sky is infinitely far away.
 bool place_before(ivec2 pixel, out vec2 place) {
     const PrimaryHit hit = primary_hits[pixel_index(pixel)];
-    if (hit.primitive == NONE) return project_last(pixel_ray(vec2(pixel), frame.pixel_point), place);
+    if (hit.primitive == NONE) return project_last(camera_ray(vec2(pixel) + frame.pixel_point), place);
     return project_last(offset_before(hit.position, hit.instance), place);
 }
 

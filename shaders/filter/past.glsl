@@ -26,7 +26,9 @@ struct Then {
 bool shows_same(uint index, ivec2 pixel, Then then) {
     const FilterSurface last = filter_surfaces[index];
     if (last.depth == 0.0 || last.id != then.id || dot(unpack_normal(last.normal), then.normal) < 0.9) return false;
-    return abs(dot(last.depth * last_pixel_ray(vec2(pixel)) - then.offset, then.normal)) < then.tolerance;
+    const vec3 ray =
+        ray_through(vec2(pixel) + frame.last_pixel_point, frame.last_camera_forward, frame.last_camera_right, frame.last_camera_up);
+    return abs(dot(last.depth * ray - then.offset, then.normal)) < then.tolerance;
 }
 
 void add_past(inout Past past, uint index, float weight) {

@@ -6,8 +6,10 @@
 #include "filter/filter.glsl"
 
 layout(set = SET_FILTER, binding = BINDING_FILTER_TILES, scalar) restrict buffer FilterTileBlock { FilterTile filter_tiles[]; };
-// By light id, with FILTER_CHANGES: how much it has changed, 0..1 (filter/light_changes.h).
-layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_CHANGES, scalar) restrict readonly buffer LightChangeBlock { float light_changes[]; };
+// By light id, with FILTER_CHANGES: how much it has changed, 0..1 (light/light_changes.h).
+layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_CHANGES, scalar) restrict readonly buffer LightChangeBlock {
+    float light_changes[];
+};
 
 float light_change(uint light) { return light < frame.light_count ? light_changes[light] : 0.0; }
 

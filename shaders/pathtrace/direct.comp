@@ -18,6 +18,6 @@ void main() {
     primary_hits[index].flags |= flags;
     add_radiance(index, light.radiance, false);
     if (frame.filter_flags == 0u) return;
-    filter_input[index].direct = radiance_sum(filter_input[index].direct, without_albedo(hit, light.radiance));
+    filter_input[index].direct = radiance_sum(filter_input[index].direct, light.radiance / filter_albedo(hit));
     if (path_index == 0u) filter_input[index].direct_light = light.light;
 }

@@ -63,6 +63,6 @@ void main() {
     const vec3 gathered = trace_path(load_primary_surface(hit), random, light);
     add_radiance(index, gathered, false);
     if (frame.filter_flags == 0u) return;
-    filter_input[index].indirect = radiance_sum(filter_input[index].indirect, without_albedo(hit, gathered));
+    filter_input[index].indirect = radiance_sum(filter_input[index].indirect, gathered / filter_albedo(hit));
     if (path_index == 0u) filter_input[index].indirect_light = light;
 }

@@ -47,7 +47,4 @@ vec3 radiance_sum(vec3 before, vec3 value) {
 /// Adds to the pixel's sum of this frame.
 void add_radiance(uint index, vec3 value, bool first) { radiance[index] = radiance_sum(first ? vec3(0.0) : radiance[index], value); }
 
-/// What the primary hit reflects, as light that falls on it, for the filter.
-vec3 without_albedo(PrimaryHit hit, vec3 value) { return value / filter_albedo(hit.albedo, HAS_GLOSS ? unpackHalf2x16(hit.gloss).y : 0.0); }
-
 #endif

@@ -28,14 +28,14 @@ bool see(Ray ray, uint seed, inout Random random, out Hit hit) {
 }
 
 /// Steps that a pixel chooses one of several surfaces by, so that 3 x 3 pixels show each by its share.
-const float layer_steps[9] = float[](0.0, 7.0, 3.0, 6.0, 5.0, 2.0, 4.0, 1.0, 8.0);
+const float LAYER_STEPS[9] = float[](0.0, 7.0, 3.0, 6.0, 5.0, 2.0, 4.0, 1.0, 8.0);
 const int MOST_LAYERS = 16;
 
 /// Follows a camera ray through translucent surfaces for the filter: what shines, of all of them by their shares, and one surface to light, which is
 /// chosen by the pixel's place, so that it is the same in the next frame. The mean is that of see(), without its noise. The last of MOST_LAYERS counts
 /// as opaque.
-bool see_layers(Ray ray, uvec2 pixel, uint seed, inout Random random, out Vertex chosen, out vec3 emission, out bool layered) {
-    const float choice = (layer_steps[(pixel.y % 3u) * 3u + pixel.x % 3u] + 0.5) / 9.0;
+bool see_layers(Ray ray, uvec2 pixel, uint seed, out Vertex chosen, out vec3 emission, out bool layered) {
+    const float choice = (LAYER_STEPS[(pixel.y % 3u) * 3u + pixel.x % 3u] + 0.5) / 9.0;
     float passes = 1.0; // of what lies behind, this part is seen
     bool found = false;
     emission = vec3(0.0);
@@ -72,10 +72,7 @@ void main() {
     if (!pixel_of_invocation(pixel, index)) return;
     Random random = path_random(pixel, STREAM_PRIMARY);
     const vec2 inside = frame.jitter != 0u ? random_next2(random) : frame.pixel_point;
-    const vec2 screen = (vec2(pixel) + inside) / vec2(frame.size) * 2.0 - 1.0;
-
-    const vec3 direction = normalize(frame.camera_forward + screen.x * frame.camera_right - screen.y * frame.camera_up);
-    const Ray ray = Ray(frame.camera_origin, 0.0, direction, 1e30);
+    const Ray ray = Ray(frame.camera_origin, 0.0, normalize(camera_ray(vec2(pixel) + inside)), 1e30);
 
     PrimaryHit stored;
     stored.primitive = NONE;
@@ -86,22 +83,22 @@ void main() {
     Vertex vertex;
     bool seen, layered = false;
     if (HAS_TRANSLUCENT && frame.filter_flags != 0u) {
-        seen = see_layers(ray, pixel, seed, random, vertex, emission, layered);
+        seen = see_layers(ray, pixel, seed, vertex, emission, layered);
     } else {
         seen = see(ray, seed, random, hit);
-        if (seen) vertex = describe_hit(ray, hit, frame.pixel_angle, true);
-        if (seen) emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
+        if (seen) {
+            vertex = describe_hit(ray, hit, frame.pixel_angle, true);
+            emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
+        }
     }
     if (layered) stored.flags = PRIMARY_HIT_LAYERED;
-    if (seen) {
-        if (vertex.lit) {
-            stored.position = vertex.surface.position;
-            stored.normal = vertex.surface.normal;
-            stored.albedo = vertex.surface.brdf.albedo;
-            stored.primitive = vertex.surface.primitive;
-            stored.instance = vertex.surface.instance;
-            stored.gloss = packHalf2x16(vec2(vertex.surface.brdf.alpha, vertex.surface.brdf.f0));
-        }
+    if (seen && vertex.lit) {
+        stored.position = vertex.surface.position;
+        stored.normal = vertex.surface.normal;
+        stored.albedo = vertex.surface.brdf.albedo;
+        stored.primitive = vertex.surface.primitive;
+        stored.instance = vertex.surface.instance;
+        stored.gloss = packHalf2x16(vec2(vertex.surface.brdf.alpha, vertex.surface.brdf.f0));
     }
     // What was found not to be finite stays marked while its frame, or its mean, is made.
     if (path_index > 0u || frame.accumulated > 0u) stored.flags |= primary_hits[index].flags & PRIMARY_HIT_NONFINITE;

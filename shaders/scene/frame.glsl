@@ -41,6 +41,13 @@ layout(push_constant, scalar) uniform PushBlock {
     uint filter_step;
 };
 
+/// A camera ray through a place of the picture, in pixels from its corner: 1 along `forward`. The axes are as in FrameParams.
+vec3 ray_through(vec2 place, vec3 forward, vec3 right, vec3 up) {
+    const vec2 screen = place / vec2(frame.size) * 2.0 - 1.0;
+    return forward + screen.x * right - screen.y * up;
+}
+vec3 camera_ray(vec2 place) { return ray_through(place, frame.camera_forward, frame.camera_right, frame.camera_up); }
+
 /// The pixel of an invocation of a pass that is dispatched over a side's columns: from the work group of the first on. False
 /// where it is another side's, or none.
 bool pixel_of_side(out uvec2 pixel) {

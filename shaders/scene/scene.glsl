@@ -12,6 +12,13 @@ layout(set = SET_SCENE, binding = BINDING_TEXTURES, scalar) restrict readonly bu
 layout(set = SET_SCENE, binding = BINDING_TEXELS, scalar) restrict readonly buffer TexelBlock { uint texels[]; };
 layout(set = SET_SCENE, binding = BINDING_LIGHTS, scalar) restrict readonly buffer LightBlock { Light lights[]; };
 
+/// Where what is at a position now, on an instance, was a frame ago.
+vec3 previous_position(vec3 position, uint instance) {
+    if (instance == 0u) return position;
+    const vec3 local = instances[instance].object_from_world * vec4(position, 1.0);
+    return instances[instance].previous_world_from_object * vec4(local, 1.0);
+}
+
 /// RGB9E5 to linear RGB.
 vec3 decode_texel(uint texel) {
     // 2^(e - 24), built from its bits; e = 0 is a denormal step below and stands for exact black here.

@@ -29,12 +29,7 @@ struct Vertex {
     bool sky;
 };
 
-/// Where what is at the surface's position now was a frame ago.
-vec3 previous_position(Surface surface) {
-    if (!HAS_INSTANCES || surface.instance == 0u) return surface.position;
-    const vec3 local = instances[surface.instance].object_from_world * vec4(surface.position, 1.0);
-    return instances[surface.instance].previous_world_from_object * vec4(local, 1.0);
-}
+vec3 previous_position(Surface surface) { return HAS_INSTANCES ? previous_position(surface.position, surface.instance) : surface.position; }
 
 /// Unit normal of a triangle's front, in world space.
 vec3 triangle_normal(BvhTriangle triangle, uint instance) {

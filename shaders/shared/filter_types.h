@@ -4,6 +4,7 @@
 #define VIGIL_SHARED_FILTER_TYPES_H
 
 #include "glsl.h"
+#include "scene_types.h"
 
 SHADER_BEGIN
 
@@ -12,15 +13,15 @@ struct FilterInput {
     vec3 emission; // seen directly
     vec3 direct;   // light that the primary hit reflects, divided by its filter_albedo()
     vec3 indirect;
-    uint direct_light; // id of the light that the first path's sample drew at the primary hit, or NONE
+    uint direct_light;   // id of the light that the first path's sample drew at the primary hit, or NONE
     uint indirect_light; // the same where its first indirect ray ended
 };
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {
-    uint normal; // filter_pack_normal()
-    float depth; // along the camera's forward axis, map units; 0: nothing to filter (sky)
-    uint id;     // instance
+    uint normal;       // pack_normal() of filter/filter.glsl
+    float depth;       // along the camera's forward axis, map units; 0: nothing to filter (sky)
+    uint id;           // instance
     uint direct_light; // as FilterInput
     uint indirect_light;
     uint brightness; // packHalf2x16: luminances of the frame's samples, direct and indirect
@@ -54,7 +55,7 @@ SHADER_CONST float FILTER_MAX = 60000.0f;
 
 /// What light is divided by before it is filtered, so that textures stay sharp: what a surface reflects of even light, at
 /// least a hundredth.
-SHADER_FN vec3 filter_albedo(vec3 albedo, float f0) { return max(albedo + vec3(f0), vec3(0.01f)); }
+SHADER_FN vec3 filter_albedo(PrimaryHit hit) { return max(hit.albedo + unpackHalf2x16(hit.gloss).y, vec3(0.01f)); }
 
 SHADER_END
 #endif

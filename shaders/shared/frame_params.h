@@ -32,11 +32,11 @@ struct FrameParams {
     vec3 sun_flux;         // radiance times solid angle of the disc
     uint sun_light;        // id of the sun, or NONE: it is no light
     // What the filter needs; shared/filter_types.h.
-    uint filter_flags;      // FILTER_*
-    uint filter_half;       // 0 or 1: this frame's half of buffers that hold two frames
-    uint split_column;      // where the picture's second side begins; its width if there is none
-    vec2 pixel_point;       // where in the pixel camera rays pass unless they are jittered one by one
-    vec2 last_pixel_point;  // the same of the frame before; and its camera
+    uint filter_flags;     // FILTER_*
+    uint filter_half;      // 0 or 1: this frame's half of buffers that hold two frames
+    uint split_column;     // where the picture's second side begins; its width if there is none
+    vec2 pixel_point;      // where in the pixel camera rays pass unless they are jittered one by one
+    vec2 last_pixel_point; // the same of the frame before; and its camera
     vec3 last_camera_origin;
     vec3 last_camera_forward;
     vec3 last_camera_right;

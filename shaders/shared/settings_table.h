@@ -136,7 +136,7 @@
         "filter: neighbours whose brightness differs by so many standard deviations count 1/e as much") \
     GPU_REAL(flt_firefly, Session, Picture, 8.0, 0.0, 1e6, \
         "filter: brightness of a sample, at most, in standard deviations above what was seen there before; 0: any") \
-    GPU_INTEGER(flt_antilag, Session, Picture, 1, 0, 1, \
+    INTEGER(flt_antilag, Session, Picture, 1, 0, 1, \
         "filter: 1: where lights change, what was averaged counts less") \
     INTEGER(flt_taa, Archived, Picture, 1, 0, 1, \
         "filter: 1: camera rays move within the pixel from frame to frame, so that edges are smooth") \

@@ -291,8 +291,8 @@ public:
 
     /// The last frame after tone mapping, with or without its overlay. Throws Error without one.
     virtual Picture read_picture(bool with_overlay) = 0;
-    /// The last frame's radiance; averaged over frames while pt_accumulate is on. Throws Error if
-    /// there is none.
+    /// The last frame's radiance: filtered with flt_enable, averaged over frames while
+    /// pt_accumulate is on. Throws Error if there is none.
     virtual RadiancePicture read_radiance() = 0;
 
     /// Times of the frames that the GPU has finished since the last call, oldest first, without

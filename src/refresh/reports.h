@@ -31,6 +31,7 @@ struct SceneReport {
     std::vector<std::string> missing_textures;
     uint64_t bytes = 0;           ///< on the device
     uint64_t ray_query_bytes = 0; ///< of these; 0 without acceleration structures
+    uint64_t filter_bytes = 0;    ///< besides these, of the filter; 0 while it is off
     bool ray_query = false;       ///< rays are traced by the device's ray queries
 };
 

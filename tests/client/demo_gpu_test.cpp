@@ -67,7 +67,7 @@ TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
     ASSERT_EQ(run("+map ring +record ring ring"), 0) << errors_;
     shorten("ring", "short", 20);
     // Two runs of the program, and two repetitions in one.
-    const std::string plain = "+set pt_nee sll +set pt_guide brdf +set timedemo ";
+    const std::string plain = "+set flt_enable 0 +set pt_nee sll +set pt_guide brdf +set timedemo ";
     ASSERT_EQ(run(plain + "1 +demomap short a 5"), 0) << errors_;
     ASSERT_EQ(run(plain + "2 +demomap short b 5"), 0) << errors_;
     EXPECT_NE(output_.find("all 2 together: 40 frames"), std::string::npos) << output_;
@@ -78,7 +78,7 @@ TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
     }
     // What guiding learns depends on the order in which threads store samples: docs/playing.md.
     const std::string guided =
-        "+set vk_validation 2 +set pt_nee vlc +set pt_guide cdq +set timedemo 2 ";
+        "+set flt_enable 0 +set vk_validation 2 +set pt_nee vlc +set pt_guide cdq +set timedemo 2 ";
     ASSERT_EQ(run(guided + "+demomap short c 5"), 0) << errors_;
     for (int i = 0; i < 4; ++i) {
         const Image first = picture(fmt::format("c_{:03}.png", i));

@@ -81,7 +81,13 @@ TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
     EXPECT_EQ(chosen().value, "groups");
     EXPECT_EQ(variables_->scr_stats, 1);
 
+    choose("Denoiser");
+    press(Key::Left);
+    EXPECT_EQ(variables_->flt_enable, 0);
+
     choose("Compare with");
+    press(Key::Right);
+    EXPECT_EQ(chosen().value, "raw");
     press(Key::Right, 2);
     EXPECT_EQ(chosen().value, "sll+cdq");
 
@@ -291,24 +297,24 @@ TEST(ScreenStats, SaysWhatAPlayerWantsToKnowTwiceASecond) {
     ScreenStats stats;
     EXPECT_TRUE(stats.lines().empty());
     stats.add_frame(0.020, recent, variables, {640, 360});
-    ASSERT_EQ(stats.lines().size(), 6u);
+    ASSERT_EQ(stats.lines().size(), 7u);
     EXPECT_EQ(stats.lines()[0], "20.0 ms  50.0 fps");
     EXPECT_EQ(stats.lines()[1], "path tracing       10.0 ms");
-    EXPECT_EQ(stats.lines()[4], "vlc+cdq");
-    EXPECT_EQ(stats.lines()[5], "640 x 360, 1 path per pixel");
+    EXPECT_EQ(stats.lines()[5], "vlc+cdq");
+    EXPECT_EQ(stats.lines()[6], "640 x 360, 1 path per pixel");
     variables.set("pt_compare", "sll");
     variables.set("pt_spp", "4");
     for (int i = 0; i < 12; ++i) // 0.48 s: not yet
         stats.add_frame(0.040, recent, variables, {1280, 720});
-    EXPECT_EQ(stats.lines()[4], "vlc+cdq");
+    EXPECT_EQ(stats.lines()[5], "vlc+cdq");
     stats.add_frame(0.040, recent, variables, {1280, 720});
     EXPECT_EQ(stats.lines()[0], "40.0 ms  25.0 fps");
-    EXPECT_EQ(stats.lines()[4], "vlc+cdq | sll");
-    EXPECT_EQ(stats.lines()[5], "1280 x 720, 4 paths per pixel");
+    EXPECT_EQ(stats.lines()[5], "vlc+cdq | sll");
+    EXPECT_EQ(stats.lines()[6], "1280 x 720, 4 paths per pixel");
     variables.set("scr_stats", "passes");
     for (int i = 0; i < 13; ++i)
         stats.add_frame(0.040, recent, variables, {1280, 720});
-    ASSERT_EQ(stats.lines().size(), 10u);
+    ASSERT_EQ(stats.lines().size(), 11u);
     EXPECT_EQ(stats.lines()[3], "  direct            5.0 ms");
 }
 

@@ -44,6 +44,7 @@ TEST(ReportText, SceneWithAllThatMayBeSaid) {
     SceneReport report = scene();
     report.ray_query = true;
     report.ray_query_bytes = 1 << 20;
+    report.filter_bytes = 3 << 19;
     report.missing_textures = {"a/b", "c"};
     refresh::GuidingReport guiding;
     guiding.on = true;
@@ -56,8 +57,8 @@ TEST(ReportText, SceneWithAllThatMayBeSaid) {
     const std::string text = scene_text(report, guiding, {7, 0}, settings);
     for (const std::string_view line :
          {"  scene memory    3.0 MiB, 1.0 MiB of it for ray queries\n",
-          "  2 missing textures: a/b c\n", "  ray tracing     VK_KHR_ray_query\n",
-          "  compared with   vlc+cdq\n",
+          "  filter memory   1.5 MiB\n", "  2 missing textures: a/b c\n",
+          "  ray tracing     VK_KHR_ray_query\n", "  compared with   vlc+cdq\n",
           "  guiding         octree of 57 leaves, depth 3; 20 caches; 2.5 MiB\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
     EXPECT_TRUE(

@@ -191,7 +191,8 @@ TEST(Cvar, RadianceDependsOnWhatTheTableSays) {
             registry.set(info.name, info.maximum > 1.0 ? "2" : "0");
         ASSERT_NE(registry.get_text(info.name), cvar_default_text(info)) << info.name;
         const bool is_renderers = info.name != "pt_light_styles" &&
-                                  (info.name.starts_with("pt_") || info.name.starts_with("vid_"));
+                                  (info.name.starts_with("pt_") || info.name.starts_with("vid_") ||
+                                   info.name.starts_with("flt_"));
         const bool same = !is_renderers || info.affects < Affects::Picture;
         EXPECT_EQ(same_radiance(registry.values(), before), same) << info.name;
     }

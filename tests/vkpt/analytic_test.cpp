@@ -9,6 +9,7 @@
 #include "refresh/vkpt/scene/texture_set.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <iostream>
 
@@ -241,6 +242,12 @@ bool has_no_noise(const PictureBatches& seen) {
     return true;
 }
 
+/// Its walls reflect nothing: what rays bring to the floor comes from the sky alone.
+void blacken_walls(Level& level) {
+    for (BspTexInfo* info : texinfos_of(level, "test/sand"))
+        info->texture = "test/black";
+}
+
 TEST_F(Analytic, EvenSkyOverACourt) {
     load("opensky", [](Level& level) {
         clear_court(level);
@@ -312,6 +319,51 @@ TEST_F(Analytic, SunOverACourt) {
             else
                 judge(label, seen, expected, {.everywhere = 0.02});
         }
+    }
+}
+
+// With a ray that is sent anyway, sky and sun are found by both, and each counts in part. A sun
+// that rays meet often, and a sky: parts that do not add up to 1 would show.
+TEST_F(Analytic, SkyAndSunByLightSamplesAndRays) {
+    load("opensky", [](Level& level) {
+        clear_court(level);
+        blacken_walls(level);
+        level.bsp.entities[0].set("sky", "");
+        level.bsp.entities[0].set("_sky_color", "0.5 0.75 1");
+    });
+    ASSERT_EQ(texel("test/black"), glm::dvec3(0.0));
+    const glm::dvec3 rho = texel("test/white50"), sky(0.5, 0.75, 1.0);
+    const glm::dvec3 sun =
+        20.0 * glm::dvec3(1.0, 0.9, 0.75) * std::sin(55.0 * pi / 180.0) / pi; // 55 degrees high
+    set("pt_bounces", "1"); // the ray of the primary hit is sent, and no other
+    set("pt_sun_size", "20");
+    Shot shot;
+    shot.view = {{80, 80, 80}, {60, 40, 0}, 70};
+    struct Part {
+        const char* name;
+        const char* sky_scale;
+        const char* sun_scale;
+    };
+    for (const Part& part : {Part{"sky", "1", "0"}, {"sun", "0", "1"}, {"both", "3", "1"}}) {
+        set("pt_sky_scale", part.sky_scale);
+        set("pt_sun_scale", part.sun_scale);
+        const double skies = std::atof(part.sky_scale), suns = std::atof(part.sun_scale);
+        for (const char* technique : {"sll", "lh", "vlc", "uniform"})
+            for (const char* guide : {"brdf", "cdq"}) {
+                const bool guided = std::string_view(guide) == "cdq";
+                if (guided && std::string_view(technique) != "lh") continue;
+                set("pt_nee", technique);
+                set("pt_guide", guide);
+                const PictureBatches seen = batches(shot, batch_count, 48, 700, 8);
+                const std::vector<double> expected =
+                    expect_on_floor(floor_points(), 8, [&](glm::dvec2 p) {
+                        const double form =
+                            form_factor(-256 - p.x, 256 - p.x, -256 - p.y, 256 - p.y, 192);
+                        return rho * (skies * form * sky + suns * sun);
+                    });
+                judge(fmt::format("{:4} {:7} {}", part.name, technique, guide), seen, expected,
+                      {.everywhere = 0.02, .quadrant = 0.08, .five_blocks = 0.15});
+            }
     }
 }
 

@@ -177,7 +177,8 @@ TEST_F(Extremes, OnePixel) {
     radiance(shot);
     renderer().device().wait_idle();
     renderer().buffers().resize({1, 1});
-    renderer().buffers().bind(*renderer().scene(), *renderer().technique(), *renderer().technique());
+    renderer().buffers().bind(*renderer().scene(), *renderer().technique(),
+                              *renderer().technique());
     const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 64);
     ASSERT_EQ(pixel.size(), 3u);
     EXPECT_TRUE(all_finite_nonnegative(pixel));

@@ -20,6 +20,8 @@ struct LightScene {
     Shot shot;         // models of entities by name are for the caller to register: see door
     bool door = false; // entity 1 is the level's model *1
     glm::ivec2 size{24, 16};
+    /// So many times the usual draws.
+    uint32_t effort = 1;
     /// Biases of the mean picture that any technique's test must be able to find.
     Bounds bounds{.everywhere = 0.05, .quadrant = 0.14, .five_blocks = 0.4};
     /// Sky: degrees per second about an axis.

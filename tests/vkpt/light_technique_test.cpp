@@ -22,7 +22,7 @@
 namespace vigil::test {
 namespace {
 
-constexpr uint32_t draws_per_pixel = 2048;
+constexpr uint32_t usual_draws_per_pixel = 2048;
 constexpr uint32_t batch_count = 16, draws_per_batch = 128;
 constexpr int block = 4;
 /// Relative error that is planted into probabilities: half of the lights get it, half lose it, two
@@ -31,7 +31,7 @@ constexpr double planted = 0.03;
 
 /// Draws of all pixels together, by groups of lights: sums of different multinomials have a little
 /// less variance than one of the mean probability, so that the score is on the safe side.
-double pooled_score(const LightAnswers& answers, double error) {
+double pooled_score(const LightAnswers& answers, double error, uint32_t draws_per_pixel) {
     constexpr size_t groups = 32;
     std::vector<double> shares(groups + 1, 0.0);
     std::vector<uint64_t> counts(groups + 1, 0);
@@ -89,19 +89,19 @@ protected:
     static size_t light_count() { return renderer().scene()->lights().lights().size(); }
 
     /// Independent pictures of the light that arrives at primary hits, by draws.
-    PictureBatches sampled() {
-        add_light_buffers(*pass_, renderer(), batch_count);
-        run_at_pixels(*pass_, renderer(), batch_count, {2, draws_per_batch});
-        return add_up(batch_count, 1, 1);
+    PictureBatches sampled(uint32_t effort) {
+        add_light_buffers(*pass_, renderer(), batch_count * effort);
+        run_at_pixels(*pass_, renderer(), batch_count * effort, {2, draws_per_batch});
+        return add_up(batch_count, effort, 1);
     }
 
     /// The same from all lights. They are looked at one by one, so few points on each do.
-    PictureBatches reference() {
+    PictureBatches reference(uint32_t effort) {
         constexpr uint32_t batches = 6, lights_at_once = 512;
         const auto parts = static_cast<uint32_t>(
             std::max<size_t>((light_count() + lights_at_once - 1) / lights_at_once, 1));
-        const auto repeats = static_cast<uint32_t>(
-            std::clamp<size_t>(600 / std::max<size_t>(light_count(), 1), 1, 40));
+        const auto repeats = effort * static_cast<uint32_t>(std::clamp<size_t>(
+                                          600 / std::max<size_t>(light_count(), 1), 1, 40));
         add_light_buffers(*pass_, renderer(), batches * repeats * parts);
         run_at_pixels(*pass_, renderer(), batches * repeats * parts, {3, lights_at_once});
         return add_up(batches, repeats, parts);
@@ -160,7 +160,8 @@ void judge_support(const LightAnswers& answers) {
     }
 }
 
-void judge_probabilities(const LightAnswers& answers, const Blanks& blanks, bool spread) {
+void judge_probabilities(const LightAnswers& answers, const Blanks& blanks, bool spread,
+                         uint32_t draws_per_pixel) {
     size_t scored = 0, worst_pixel = 0;
     double scores = 0.0, worst = 0.0, worst_error = 0.0;
     for (size_t pixel = 0; pixel < answers.hits.size(); ++pixel) {
@@ -189,7 +190,8 @@ void judge_probabilities(const LightAnswers& answers, const Blanks& blanks, bool
         }
     }
     const double together = scores / std::sqrt(static_cast<double>(std::max<size_t>(scored, 1)));
-    const double pooled = pooled_score(answers, 0.0), found = pooled_score(answers, planted);
+    const double pooled = pooled_score(answers, 0.0, draws_per_pixel),
+                 found = pooled_score(answers, planted, draws_per_pixel);
     std::cout << fmt::format(
         "  {} pixels: chi-square {:+.2f} together, {:+.2f} at the worst, {:+.2f} "
         "pooled ({:+.1f} with {:.0f}% planted)\n",
@@ -220,6 +222,7 @@ void LightTechniqueTest::judge_scenes(std::vector<LightScene> scenes) {
         SCOPED_TRACE(scene.name);
         bring(scene);
         std::cout << fmt::format("{}, {} lights\n", scene.name, light_count());
+        const uint32_t draws_per_pixel = usual_draws_per_pixel * scene.effort;
         const LightAnswers answers = ask_lights(*pass_, renderer(), draws_per_pixel);
         const bool any = std::ranges::any_of(
             answers.answers, [&](const LightAnswer& answer) { return answer.probability > 0.0f; });
@@ -230,12 +233,13 @@ void LightTechniqueTest::judge_scenes(std::vector<LightScene> scenes) {
         judge_support(answers);
         Blanks blanks = GetParam().blanks;
         blanks.sun_apart &= renderer().scene()->lights().sun() != shader::NONE;
-        if (answers.exact) judge_probabilities(answers, blanks, scene.spread);
+        if (answers.exact) judge_probabilities(answers, blanks, scene.spread, draws_per_pixel);
         EXPECT_TRUE(any || scene.dark);
         // The first technique's shader makes the reference of all.
         static std::map<std::string, PictureBatches> references;
-        if (!references.contains(scene.name)) references.emplace(scene.name, reference());
-        judge_means(sampled(), references.at(scene.name), scene);
+        if (!references.contains(scene.name))
+            references.emplace(scene.name, reference(scene.effort));
+        judge_means(sampled(scene.effort), references.at(scene.name), scene);
         if (!scene.extreme.empty())
             record("scenes", scene.extreme,
                    scene.dark

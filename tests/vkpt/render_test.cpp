@@ -80,6 +80,7 @@ void RenderTest::SetUp() {
     set("pt_guide", "brdf");
     set_size(48, 32);
     set("pt_jitter", "0");
+    set("flt_enable", "0");
 }
 
 void RenderTest::TearDown() {
@@ -175,9 +176,13 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params,
     const gpu::Device& device = renderer().device();
     device.wait_idle();
     const vkpt::FrameBuffers& buffers = renderer().buffers();
-    const vkpt::PictureSide whole{variant, samples_lights && variant.features.lights,
-                                  false,   renderer().guiding().set(),
-                                  0,       buffers.size().x};
+    const vkpt::PictureSide whole{variant,
+                                  samples_lights && variant.features.lights,
+                                  false,
+                                  false,
+                                  renderer().guiding().set(),
+                                  0,
+                                  buffers.size().x};
     gpu::FrameCommands commands(device);
     commands.begin();
     renderer().record_picture(commands, std::span(&whole, 1), params, paths);

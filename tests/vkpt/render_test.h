@@ -35,8 +35,8 @@ class RenderTest : public testing::Test {
 protected:
     using Edit = std::function<void(Level&)>;
 
-    /// All variables at their defaults but for the picture's size (48 x 32), and pixel centres for
-    /// camera rays.
+    /// All variables at their defaults but for the picture's size (48 x 32), pixel centres for
+    /// camera rays, and the filter, which is off.
     void SetUp() override;
     void TearDown() override;
 

@@ -61,8 +61,11 @@ struct Section {
     std::string_view title;
     std::string_view prefix; ///< of the names; empty takes what no other section has
 };
-constexpr Section sections[] = {
-    {"Files and play", ""}, {"Video", "vid_"}, {"Path tracer", "pt_"}, {"Vulkan", "vk_"}};
+constexpr Section sections[] = {{"Files and play", ""},
+                                {"Video", "vid_"},
+                                {"Path tracer", "pt_"},
+                                {"Filter", "flt_"},
+                                {"Vulkan", "vk_"}};
 
 const Section& section_of(const CvarInfo& info) {
     for (const Section& section : sections)
@@ -93,19 +96,22 @@ std::string page() {
         "or by\n"
         "index, from 0. A number out of range is clamped with a message; a text that is no number "
         "or\n"
-        "choice is refused. *Life* tells how long a value lasts: **kept** values are written to "
-        "the\n"
-        "configuration file when they differ from the default, **session** values last until the "
-        "program\n"
-        "ends, **start** values are read once when it starts and belong on the command line\n"
-        "(`vigil +set NAME VALUE`). Values from the command line are never kept. A cfg file "
-        "inside\n"
-        "a game archive cannot set **guarded** variables, and what it sets of the others is not "
-        "kept\n"
-        "([files.md](files.md)). Shaders read those marked *(GPU)*. *Affects* tells what a value "
-        "changes: the\n"
-        "**display** of finished radiance, the **picture**, or also what a kept **reference** "
-        "picture is of.\n";
+        "choice is refused.\n"
+        "\n"
+        "*Life* tells how long a value lasts:\n"
+        "\n"
+        "- **kept** values are written to the configuration file when they differ from the "
+        "default.\n"
+        "- **session** values last until the program ends.\n"
+        "- **start** values are read once when it starts, and belong on the command line\n"
+        "  (`vigil +set NAME VALUE`).\n"
+        "\n"
+        "Values from the command line are never kept. A cfg file inside a game archive cannot set\n"
+        "**guarded** variables, and what it sets of the others is not kept "
+        "([files.md](files.md)).\n"
+        "Shaders read those marked *(GPU)*. *Affects* tells what a value changes: the **display** "
+        "of\n"
+        "finished radiance, the **picture**, or also what a kept **reference** picture is of.\n";
 
     for (const Section& section : sections) {
         text +=

@@ -71,6 +71,7 @@ REFERENCE = part("reference", "tests/bench/reference_test.cpp", "src/bench/refer
 # Validation takes time, and notices other faults.
 GUIDING = whole("guiding", "guiding_passes_test", VIGIL_VALIDATION="0")
 ANALYTIC = whole("vkpt", "vkpt_analytic_test", VIGIL_VALIDATION="0")
+FILTER = whole("vkpt", "vkpt_filter_test", VIGIL_VALIDATION="0")
 TECHNIQUE = whole("vkpt", "vkpt_technique_test", VIGIL_VALIDATION="0")
 CONVERGENCE = whole("vkpt", "vkpt_convergence_test", VIGIL_VALIDATION="0")
 VIEWS = whole("vkpt", "vkpt_view_test", VIGIL_VALIDATION="0")
@@ -351,8 +352,7 @@ FAULTS = [
           "(meets_sun(direction) ? frame.sun_radiance : vec3(0.0))",
           "(meets_sun(direction) ? 1.05 * frame.sun_radiance : vec3(0.0))", ANALYTIC, "Analytic.SunOverACourt"),
     Fault("light where rays end lacks 4%", "shaders/pathtrace/indirect_ray.glsl",
-          "end.brought += next_event_estimate(end.surface, ray_follows, random).radiance;",
-          "end.brought += 0.96 * next_event_estimate(end.surface, ray_follows, random).radiance;",
+          "end.brought += direct.radiance;", "end.brought += 0.96 * direct.radiance;",
           ANALYTIC, "Analytic.WhiteFurnaceWhereRaysEnd"),
     Fault("mixture of rays: the BRDF's part counts 4% too unlikely", "shaders/pathtrace/indirect_ray.glsl",
           "direction), seen.pdf, brdf_part);", "direction), seen.pdf, 0.96 * brdf_part);",
@@ -363,6 +363,14 @@ FAULTS = [
     Fault("mixture of rays: 4% too few by the BRDF", "shaders/pathtrace/indirect_ray.glsl",
           "if (random_next(random) < brdf_part)", "if (random_next(random) < 0.96 * brdf_part)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
+
+    # The filter.
+    Fault("filtered surfaces lack 4% of their light", "shaders/filter/filter_compose.comp",
+          "* (light.direct + light.indirect);", "* 0.96 * (light.direct + light.indirect);", FILTER,
+          "Filter.MakesACalmPictureOfTheSameLight"),
+    Fault("the filter knows lamps that move alone, none that go", "src/refresh/vkpt/light/light_changes.cpp",
+          "same_place(before, now) ? difference / greatest : 1.0f", "same_place(before, now) ? 0.0f : 1.0f", FILTER,
+          "Filter.ForgetsALampThatIsGone"),
 
     # Sky and sun as lights.
     Fault("the sun sends 3% too much by light samples", "src/refresh/vkpt/scene/sun.cpp",
@@ -385,14 +393,14 @@ FAULTS = [
           "SkyWindows*"),
     Fault("the sky's brightness through a plane is 4% too low", "src/refresh/vkpt/scene/sky_brightness.cpp",
           "sum += weight * patch.radiance;", "sum += 0.96f * weight * patch.radiance;", SKY_LIGHT, "Sky*"),
-    Fault("rays count 5% too little of the sky beside light samples", "shaders/pathtrace/indirect_ray.glsl",
+    Fault("rays leave 5% more to light samples than those take", "shaders/pathtrace/indirect_ray.glsl",
           "part -= sampled_share(light_probability(surface, light), inverse_density, brdf_pdf);",
           "part -= sampled_share(1.05 * light_probability(surface, light), inverse_density, brdf_pdf);",
-          ANALYTIC, "Analytic.EvenSkyOverACourt"),
+          ANALYTIC, "Analytic.SkyAndSunByLightSamplesAndRays"),
     Fault("the density of sky and sun is 5% too low for light samples", "shaders/pathtrace/next_event.glsl",
           "value *= sampled_share(probability, environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);",
           "value *= sampled_share(probability, 1.05 * environment_inverse_density(light, surface.origin, seen.direction), ray_pdf);",
-          ANALYTIC, "Analytic.EvenSkyOverACourt"),
+          ANALYTIC, "Analytic.SkyAndSunByLightSamplesAndRays"),
     Fault("half of the draws are said to be the sun's, and 52% are", "shaders/light/lh.glsl",
           "if (random_number.u < of_sun) return", "if (random_number.u < 1.04 * of_sun) return",
           TECHNIQUE, "*KeepsItsPromises/lh_Default"),

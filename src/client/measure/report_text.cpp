@@ -96,6 +96,8 @@ std::string scene_text(const refresh::SceneReport& scene, const GuidingReport& g
     text += fmt::format("\n  scene memory    {:.1f} MiB", mebibytes(scene.bytes));
     if (scene.ray_query_bytes > 0)
         text += fmt::format(", {:.1f} MiB of it for ray queries", mebibytes(scene.ray_query_bytes));
+    if (scene.filter_bytes > 0)
+        text += fmt::format("\n  filter memory   {:.1f} MiB", mebibytes(scene.filter_bytes));
     if (!scene.missing_textures.empty())
         text += fmt::format("\n  {} missing textures: {}", scene.missing_textures.size(),
                             fmt::join(scene.missing_textures, " "));

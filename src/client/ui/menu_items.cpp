@@ -31,6 +31,7 @@ constexpr MenuItem items[] = {
     {"Lights chosen by", "pt_nee"},
     {"Rays guided by", "pt_guide"},
     {"Paths per pixel", "pt_spp"},
+    {"Denoiser", "flt_enable"},
     {"Compare with", "pt_compare"},
     {"Show", "pt_view"},
     {"Statistics", "scr_stats"},

@@ -15,6 +15,7 @@ struct Group {
 };
 constexpr Group groups[] = {{refresh::PassGroup::PathTracing, "path tracing"},
                             {refresh::PassGroup::Preparation, "preparation"},
+                            {refresh::PassGroup::Filter, "filter"},
                             {refresh::PassGroup::Other, "other passes"}};
 
 } // namespace

@@ -18,6 +18,7 @@ void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uve
     params.camera_right = -axes[1] * (tan_vertical * aspect);
     params.camera_up = axes[2] * tan_vertical;
     params.size = size;
+    params.pixel_point = glm::vec2(0.5f);
     params.pixel_angle = 2.0f * tan_vertical / static_cast<float>(size.y);
 }
 

@@ -41,7 +41,8 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
                                                                  gpu::FrameCommands(device_)},
       waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
       buffers_(device_, left_.guiding().look_up()), path_tracer_(compiler_, buffers_),
-      direction_map_(compiler_, buffers_), filter_(device_, compiler_, buffers_), post_(compiler_, buffers_), draws_(device_, compiler_) {
+      direction_map_(compiler_, buffers_), filter_(device_, compiler_, buffers_),
+      post_(compiler_, buffers_), draws_(device_, compiler_) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -66,7 +67,6 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
-    filter_.forget();
     frame_unfinished_ = false; // everything is copied anew
     shown_ = {};
     guiding_work_ = {};
@@ -75,6 +75,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
 
 void VkptRenderer::reset_guiding() {
     if (!scene_) return;
+    filter_.forget();
     reset_side(left_);
     if (right_) reset_side(*right_);
 }
@@ -207,8 +208,10 @@ std::vector<PictureSide> VkptRenderer::picture_sides() const {
     const uint32_t split = split_column();
     const uint32_t width = buffers_.size().x;
     std::vector<PictureSide> sides{describe(left_, 0, split, true)};
-    if (right_) sides.push_back(describe(*right_, split, width, true));
-    else if (compares_raw()) sides.push_back(describe(left_, split, width, false));
+    if (right_)
+        sides.push_back(describe(*right_, split, width, true));
+    else if (compares_raw())
+        sides.push_back(describe(left_, split, width, false));
     return sides;
 }
 

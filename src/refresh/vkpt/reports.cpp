@@ -66,6 +66,7 @@ refresh::SceneReport VkptRenderer::report_scene(const refresh::Settings& setting
     if (!scene_) fail("no level is loaded");
     refresh::SceneReport report = scene_->report();
     report.ray_query = use_ray_query(settings);
+    report.filter_bytes = filter_.bytes();
     return report;
 }
 

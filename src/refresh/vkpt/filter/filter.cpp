@@ -30,8 +30,7 @@ glm::uvec2 filter_tiles(glm::uvec2 size) {
 } // namespace
 
 Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, FrameBuffers& buffers)
-    : device_(device), buffers_(buffers),
-      unused_(device, 16, gpu::MemoryUse::Device, "unused"),
+    : device_(device), buffers_(buffers), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       set_(device,
            std::vector<VkDescriptorType>(FILTER_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
            unused_, "filter set"),
@@ -44,6 +43,7 @@ Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, Frame
 
 void Filter::forget() {
     has_past_ = false;
+    frame_ = 0; // the same points in pixels again
     changes_.forget();
 }
 
@@ -66,8 +66,8 @@ Filter::Kept Filter::make_buffers() const {
 
 bool Filter::prepare(const refresh::Settings& settings, const LightSet& lights) {
     const bool rebind = follow(settings);
-    changed_ = on_ && settings.flt_antilag != 0 &&
-               changes_.update(lights.lights(), lights.revision());
+    changed_ =
+        on_ && settings.flt_antilag != 0 && changes_.update(lights.lights(), lights.revision());
     if (changed_ && light_changes_.set(std::as_bytes(changes_.factors()))) {
         device_.wait_idle();
         set_.bind(BINDING_FILTER_LIGHT_CHANGES, light_changes_.buffer());
@@ -80,8 +80,8 @@ bool Filter::follow(const refresh::Settings& settings) {
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
     jitters_ = settings.pt_jitter != 0;
-    if (failed_ && (!wanted || failed_size_ != buffers_.size())) failed_ = false;
-    const bool on = wanted && !failed_;
+    if (!wanted || failed_size_ != buffers_.size()) failed_size_.reset();
+    const bool on = wanted && !failed_size_;
     if (on == on_ && (!on || size_ == buffers_.size())) return false;
     // Sizes and bindings change: the GPU must be idle.
     device_.wait_idle();
@@ -103,7 +103,6 @@ bool Filter::follow(const refresh::Settings& settings) {
     } catch (const Error& error) {
         log_warning("the picture is not filtered: {}", error.what());
         kept_ = {};
-        failed_ = true;
         failed_size_ = buffers_.size();
     }
     return true;
@@ -119,7 +118,6 @@ void Filter::prepare_pipelines() {
 }
 
 void Filter::describe(shader::FrameParams& params) {
-    params.pixel_point = glm::vec2(0.5f);
     if (!on_) {
         has_past_ = false;
         return;

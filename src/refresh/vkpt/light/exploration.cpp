@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/light/exploration.h"
 
+#include "refresh/vkpt/light/light_changes.h"
 #include "refresh/vkpt/light/light_power.h"
 
 #include <algorithm>
@@ -16,10 +17,6 @@ namespace {
 constexpr float change_fade = 0.5f, change_least = 0.01f;
 /// Share of all draws that is spread evenly, so that no light is out of reach.
 constexpr double even_share = 1e-4;
-
-bool same_place(const shader::Light& a, const shader::Light& b) {
-    return a.v0 == b.v0 && a.e1 == b.e1 && a.e2 == b.e2;
-}
 
 /// Power over squared distance: what the light does to a wall beside the camera. Its own size
 /// bounds it.

@@ -19,8 +19,8 @@ public:
     /// Makes the per-pixel buffers. The GPU must be idle. Throws Error if the device's buffers are
     /// too small.
     void resize(glm::uvec2 size);
-    /// Makes or gives back what the path tracer writes for the filter. The GPU must be idle, and the
-    /// sets are to be bound anew. Throws Error if the device's buffers are too small.
+    /// Makes or gives back what the path tracer writes for the filter. The GPU must be idle, and
+    /// the sets are to be bound anew. Throws Error if the device's buffers are too small.
     void keep_filter_input(bool keep);
     /// Points the sets at the scene's and the techniques' buffers; `right` is that of the second
     /// side. The GPU must be idle.

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The filter: its picture is calm, has the light of the raw one and its textures, follows lamps
+// that go, changes nothing while it is off, and stays finite whatever comes.
+#include "render_test.h"
+
+#include "shared/brdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iostream>
+
+namespace vigil::test {
+namespace {
+
+using Pixels = std::vector<float>;
+
+class Filter : public RenderTest {
+protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        set_size(64, 48);
+        shot_.view = {{290, 20, 96}, {5, 55, 0}, 90};
+        set("pt_nee", "uniform"); // the noisiest
+    }
+
+    /// The frame after `before` others; all random numbers start anew with the level.
+    Pixels picture(std::string_view level, int before) {
+        load(level);
+        return next(before);
+    }
+    Pixels next(int before = 0) {
+        for (int i = 0; i < before; ++i)
+            renderer().render(shot_.frame());
+        return radiance(shot_).rgb;
+    }
+    /// The mean of `frames` raw frames.
+    Pixels converged(int frames) {
+        set("flt_enable", "0");
+        set("pt_accumulate", "1");
+        Pixels result = next(frames - 1);
+        set("pt_accumulate", "0");
+        return result;
+    }
+    static float brightness(const Pixels& pixels, size_t pixel) {
+        return shader::luminance({pixels[3 * pixel], pixels[3 * pixel + 1], pixels[3 * pixel + 2]});
+    }
+    static double squared_difference(const Pixels& a, const Pixels& b) {
+        double sum = 0.0;
+        for (size_t i = 0; i < a.size(); ++i)
+            sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
+        return sum / static_cast<double>(a.size());
+    }
+    /// Sum over what only reflects light: lamps are far brighter.
+    static double light_of(const Pixels& pixels, const Pixels& expected) {
+        double sum = 0.0;
+        for (size_t i = 0; i < pixels.size() / 3; ++i)
+            if (brightness(expected, i) < 2.0f) sum += static_cast<double>(brightness(pixels, i));
+        return sum;
+    }
+    /// Mean over the pixels of the variance of their brightness over `frames` frames.
+    double flicker(int frames) {
+        std::vector<double> sum, squares;
+        for (int frame = 0; frame < frames; ++frame) {
+            const Pixels pixels = next();
+            sum.resize(pixels.size() / 3);
+            squares.resize(sum.size());
+            for (size_t i = 0; i < sum.size(); ++i) {
+                const double value = brightness(pixels, i);
+                sum[i] += value;
+                squares[i] += value * value;
+            }
+        }
+        double variance = 0.0;
+        for (size_t i = 0; i < sum.size(); ++i)
+            variance += squares[i] / frames - sum[i] * sum[i] / (1.0 * frames * frames);
+        return variance / static_cast<double>(sum.size());
+    }
+
+    Shot shot_;
+};
+
+TEST_F(Filter, MakesACalmPictureOfTheSameLight) {
+    load("rooms");
+    set("pt_nee", "sll");
+    set("flt_firefly", "0"); // which takes light away
+    next(31);
+    const double raw_flicker = flicker(16);
+    const Pixels raw = next();
+    set("flt_enable", "1");
+    next(63);
+    const double filtered_flicker = flicker(16);
+    const Pixels filtered = next();
+    const Pixels expected = converged(256);
+    const double error = squared_difference(filtered, expected) / squared_difference(raw, expected);
+    const double light = light_of(filtered, expected) / light_of(expected, expected);
+    std::cout << fmt::format("flicker 1/{:.0f}, squared error 1/{:.1f}, light {:+.2f}%\n",
+                             raw_flicker / filtered_flicker, 1.0 / error, 100.0 * (light - 1.0));
+    EXPECT_LT(filtered_flicker, raw_flicker / 50.0);
+    EXPECT_LT(error, 1.0 / 15.0);
+    EXPECT_NEAR(light, 1.0, 0.02);
+}
+
+TEST_F(Filter, FollowsACameraThatMoves) {
+    load("rooms");
+    set("flt_enable", "1");
+    set("flt_taa", "0"); // which rounds the edges of lamps, the brightest of all
+    for (int frame = 0; frame < 40; ++frame) {
+        shot_.view.angles.y += 0.3f;
+        shot_.view.origin.y += 0.5f;
+        renderer().render(shot_.frame());
+    }
+    const Pixels filtered = next();
+    set("flt_enable", "0");
+    const Pixels raw = next();
+    const Pixels expected = converged(256);
+    const double error = squared_difference(filtered, expected) / squared_difference(raw, expected);
+    std::cout << fmt::format("squared error 1/{:.1f}\n", 1.0 / error);
+    EXPECT_LT(error, 1.0 / 10.0);
+}
+
+TEST_F(Filter, ForgetsALampThatIsGone) {
+    load("rooms");
+    set("pt_nee", "sll"); // which finds the lamp at once
+    set("pt_bounces", "0");
+    const Pixels without = converged(256);
+    set("flt_enable", "1");
+    shot_.dynamic_lights = {{7, {330, 80, 100}, 4.0f, {2000, 2000, 2000}, false}};
+    const Pixels with = next(40);
+    shot_.dynamic_lights.clear();
+    const auto excess = [&](const Pixels& pixels) { return sum_of(pixels) - sum_of(without); };
+    ASSERT_GT(excess(with), 0.3 * sum_of(without)) << "the lamp lights what is seen";
+    const double after_four = excess(next(3)) / excess(with);
+    set("flt_antilag", "0");
+    shot_.dynamic_lights = {{7, {330, 80, 100}, 4.0f, {2000, 2000, 2000}, false}};
+    next(40);
+    shot_.dynamic_lights.clear();
+    const double without_antilag = excess(next(3)) / excess(with);
+    std::cout << fmt::format("left after 4 frames: {:.1f}%, without flt_antilag {:.1f}%\n",
+                             100.0 * after_four, 100.0 * without_antilag);
+    EXPECT_LT(std::abs(after_four), 0.1);
+    EXPECT_GT(without_antilag, 0.5);
+}
+
+TEST_F(Filter, ShowsALampThatComes) {
+    load("rooms");
+    set("pt_nee", "sll"); // which finds the lamp at once
+    set("pt_bounces", "0");
+    set("flt_enable", "1");
+    const Pixels before = next(40);
+    shot_.dynamic_lights = {{7, {330, 80, 100}, 4.0f, {2000, 2000, 2000}, false}};
+    const Pixels after = next(3);
+    const Pixels expected = converged(256);
+    const double shown = (sum_of(after) - sum_of(before)) / (sum_of(expected) - sum_of(before));
+    std::cout << fmt::format("shown after 4 frames: {:.1f}%\n", 100.0 * shown);
+    EXPECT_GT(shown, 0.9);
+    EXPECT_LT(shown, 1.1);
+}
+
+TEST_F(Filter, ChangesNothingWhileItIsOff) {
+    const Pixels before = picture("rooms", 2);
+    set("flt_enable", "1");
+    EXPECT_NE(picture("rooms", 2), before);
+    set("flt_enable", "0");
+    EXPECT_EQ(picture("rooms", 2), before);
+    // Neither does it where a reference is made.
+    set("pt_accumulate", "1");
+    const Pixels reference = picture("rooms", 2);
+    set("flt_enable", "1");
+    EXPECT_EQ(picture("rooms", 2), reference);
+}
+
+TEST_F(Filter, LeavesTheRawSideOfAComparisonAlone) {
+    const Pixels raw = picture("rooms", 2);
+    set("flt_enable", "1");
+    set("pt_compare", "raw");
+    const Pixels compared = picture("rooms", 2);
+    int left = 0, right = 0;
+    for (size_t y = 0; y < 48; ++y)
+        for (size_t x = 0; x < 64; ++x) {
+            const size_t i = 3 * (64 * y + x);
+            (x < 32 ? left : right) += !std::equal(&raw[i], &raw[i] + 3, &compared[i]);
+        }
+    // Where a translucent surface is seen, the filter's frames see another one.
+    EXPECT_GT(left, 32 * 48 / 2);
+    EXPECT_LT(right, 32 * 48 / 20);
+}
+
+TEST_F(Filter, StaysFiniteWhateverComes) {
+    set("flt_enable", "1");
+    set("pt_jitter", "1");
+    const auto is_fine = [&](const char* what) {
+        EXPECT_TRUE(all_finite_nonnegative(next())) << what;
+    };
+    load("rooms");
+    is_fine("the first frame");
+    shot_.view.origin += glm::vec3(0, 40, 10);
+    shot_.view.angles.y += 170.0f;
+    is_fine("a cut");
+    set_size(33, 17);
+    is_fine("another size");
+    set("flt_history", "1");
+    is_fine("a history of one frame");
+    set("flt_history", "1000");
+    is_fine("a long history");
+    for (const char* steps : {"0", "1", "6"}) {
+        set("flt_atrous", steps);
+        is_fine(steps);
+    }
+    set("flt_sigma", "0");
+    is_fine("no tolerance");
+    set("flt_taa", "0");
+    is_fine("no anti-aliasing");
+    set("flt_taa", "1");
+    is_fine("anti-aliasing again");
+    set("pt_emissive_scale", "1e6");
+    is_fine("very bright");
+    set("pt_emissive_scale", "0");
+    is_fine("no light");
+    set("pt_spp", "3");
+    is_fine("several paths");
+    load("opensky");
+    shot_.view = {{-192, -64, 56}, {0, 20, 0}, 90};
+    is_fine("another level");
+    shot_.view.angles = {-89, 0, 0};
+    is_fine("nothing but sky");
+    set_size(16, 16);
+    is_fine("the smallest picture");
+}
+
+} // namespace
+} // namespace vigil::test
