@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vigil::bench {
 
@@ -18,7 +19,8 @@ struct Sums {
     std::size_t pixels = 0;
 
     double share(std::size_t all) const {
-        return static_cast<double>(pixels) >= least_pixels * static_cast<double>(all) && whole > 0.0
+        return static_cast<double>(pixels) >= least_pixels * static_cast<double>(all) &&
+                       whole != 0.0
                    ? shown / whole
                    : std::numeric_limits<double>::quiet_NaN();
     }
@@ -38,18 +40,15 @@ ChangeShown change_shown(std::span<const float> picture, const Reference& before
             is += after.mean(i);
             error += std::sqrt(before.variance(i) + after.variance(i)); // they share paths
         }
-        const double scale = std::max(was, is) + 3.0 * floor;
+        const double brightness = std::max(was, is) + 3.0 * floor;
         const double change = is - was;
-        if (std::abs(change) < least_change * scale || std::abs(change) < sure_change * error)
+        if (std::abs(change) < least_change * brightness || std::abs(change) < sure_change * error)
             continue;
         Sums& sums = change > 0.0 ? brighter : darker;
-        for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-            const double step = after.mean(i) - before.mean(i);
-            const auto x = static_cast<double>(picture[i]);
-            // The noise of `before` is in both factors, that of both references in the square.
-            sums.shown += ((x - before.mean(i)) * step - before.variance(i)) / (scale * scale);
-            sums.whole += (step * step - before.variance(i) - after.variance(i)) / (scale * scale);
-        }
+        const double seen =
+            std::accumulate(picture.begin() + 3 * pixel, picture.begin() + 3 * pixel + 3, 0.0);
+        sums.shown += (seen - was) / brightness;
+        sums.whole += change / brightness;
         ++sums.pixels;
     }
     return {brighter.share(pixels), darker.share(pixels)};

@@ -18,10 +18,10 @@ struct ChangeShown {
 };
 
 /// With a and b the references, x the picture, all divided by the brighter reference of the pixel:
-/// sum of (x - a)(b - a) over sum of (b - a)^2, both without the references' own noise. Linear in
-/// the picture, so its noise averages out; for a filter that mixes the pictures of before and
-/// after it is the weight of the latter. Counted are pixels that change by at least a tenth and
-/// by 5 times the error of that.
+/// sum of x - a over sum of b - a. Linear in the picture, so its noise averages out; for a filter
+/// that mixes the pictures of before and after it is the weight of the latter. Counted are pixels
+/// that change by at least a tenth and by 5 times the error of that. The references' noise is also
+/// in the divisor: with variance v it makes a share too large by v / (b (b - a)), 2% at most.
 ChangeShown change_shown(std::span<const float> picture, const Reference& before,
                          const Reference& after);
 

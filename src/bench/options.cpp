@@ -143,18 +143,14 @@ std::vector<QualityRow> picture_rows(std::string_view technique) {
         {"raw", {{"flt_enable", "0"}}},
         {"temporal", {{"flt_enable", "1"}, {"flt_taa", "0"}, {"flt_atrous", "0"}}},
         {"full", {{"flt_enable", "1"}, {"flt_taa", "0"}}},
-        {"svgf",
+        {"svgf-like",
          {{"flt_enable", "1"},
           {"flt_taa", "0"},
           {"flt_history", "5"}, // a new frame counts for a fifth
+          {"flt_atrous", "5"},
+          {"flt_sigma", "4"},
           {"flt_firefly", "0"},
-          {"flt_antilag", "0"}}},
-        {"asvgf",
-         {{"flt_enable", "1"},
-          {"flt_taa", "0"},
-          {"flt_history", "5"},
-          {"flt_firefly", "0"},
-          {"flt_antilag", "1"}}}};
+          {"flt_antilag", "0"}}}};
     std::vector<QualityRow> rows;
     for (const QualityRow& filter : filters) {
         QualityRow& row = rows.emplace_back(filter);
@@ -205,8 +201,9 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options.size.x, options.size.y));
     parser.add_count("--seeds", options.seeds, 1, 1000, "repeats");
-    parser.add_count("--frames", options.frames, turns ? 2 * ring_tail : 1, turns ? 10000 : 900,
-                     "frames measured in each run");
+    if (options.measured != Measured::Route)
+        parser.add_count("--frames", options.frames, turns ? 2 * ring_tail : 1, turns ? 10000 : 900,
+                         "frames measured in each run");
     parser.add_count("--reference-paths", options.reference_paths, turns ? 48 : 2, 100000000,
                      "most paths per pixel of a reference");
     parser.add_flag("--fresh", options.fresh, "make references anew");
@@ -246,8 +243,6 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
     if (options.measured == Measured::Route) {
         parser.add_option("--pictures", options.pictures,
                           "folder for references, runs, albedo and normals");
-        parser.add_option("--judge", options.judge,
-                          "a program that denoises the raw pictures of a folder, for one more row");
     }
     if (!options.trade.empty())
         parser.add_option("--trade", options.trade, "the report whose values are measured again");

@@ -68,7 +68,6 @@ struct QualityOptions {
     std::string json;               // empty: NAME.json below outdir
     std::string trade;              // of `confirm`: the report whose values are measured again
     std::string pictures;           // folder for pictures of references and runs; empty: none
-    std::string judge;              // of `picture`: a program that denoises a folder; empty: none
     Changing changing = Changing::Lamp; // of Measured::Change
     // Of `ring`: frames before the lamp turns, its turns in degrees, and sizes of quadtrees.
     int settle = 0;
@@ -125,9 +124,9 @@ std::vector<QualityRow> technique_rows();
 /// preset.
 QualityRow preset_row(std::string_view name);
 
-/// The raw picture, with its light averaged over time, filtered, and as two papers have it (SVGF:
-/// Schied et al. 2017; A-SVGF: Schied et al. 2018), all with rays of a technique. Labels name the
-/// technique unless it is vlc+cdq.
+/// The raw picture, with its light averaged over time, filtered, and filtered with what SVGF
+/// (Schied et al. 2017) has in place of our variables, all with rays of a technique. Labels name
+/// the technique unless it is vlc+cdq.
 std::vector<QualityRow> picture_rows(std::string_view technique);
 
 /// One row per size of quadtree, bits, and one with rays drawn by the BRDF alone, the last.

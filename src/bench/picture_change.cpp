@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Light that changes while the camera stands still: there and back again, and how many frames it
+// Light that changes while the camera stands still, there and back again, and how many frames it
 // takes until nine tenths of that are shown.
 #include "bench/change_response.h"
 #include "bench/picture_rows.h"
@@ -8,7 +8,8 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ constexpr float dimmed = 0.25f;
 
 /// A scene, what becomes of it, and where that is seen.
 struct Scenes {
+    const char* what; // changes
     Pose pose;
     SceneChange before, after;
     int frames = 16; // that each of them lasts
@@ -34,7 +36,7 @@ struct Scenes {
 /// A lamp that the camera sees none of jumps from the left of the picture to its right, as far from
 /// the camera as half the way to what is there.
 Scenes lamp_scenes(QualityRenderer& renderer, glm::ivec2 size) {
-    Scenes scenes{renderer.places().front().measured(), {}, {}};
+    Scenes scenes{"a lamp jumps", renderer.places().front().measured(), {}, {}};
     renderer.show(scenes.pose);
     const std::vector<shader::PrimaryHit> hits = renderer.surfaces();
     const shader::FrameParams camera = renderer.camera(scenes.pose);
@@ -71,7 +73,7 @@ std::vector<Pose> door_views(const QualityRenderer& renderer, const Door& door) 
 /// The door, and the view of it, that hides the most.
 Scenes door_scenes(QualityRenderer& renderer) {
     std::size_t most = 0;
-    Scenes scenes;
+    Scenes scenes{"a door opens and shuts", {}, {}, {}};
     for (const Door& door : renderer.doors())
         for (const Pose& pose : door_views(renderer, door)) {
             renderer.change({});
@@ -104,7 +106,7 @@ Scenes scenes_of(const QualityOptions& options, QualityRenderer& renderer) {
     case Changing::Strobe:
         break;
     }
-    Scenes scenes{renderer.places().front().measured(), {}, {}, 8, 2};
+    Scenes scenes{"all lamps flash", renderer.places().front().measured(), {}, {}, 8, 2};
     scenes.after.brightness = dimmed;
     return scenes;
 }
@@ -115,24 +117,32 @@ Reference reference_with(const QualityOptions& options, QualityRenderer& rendere
     return picture_reference(options, renderer, pose, progress);
 }
 
-/// Shares by frame after a change, summed over changes.
-struct Curves {
-    explicit Curves(int frames) : brighter(frames), darker(frames) {}
+/// Mean share by frame after a change, of the changes that have one.
+class Curve {
+public:
+    explicit Curve(int frames) : sums_(frames), counts_(frames) {}
 
-    void add(std::size_t frame, const ChangeShown& shown, int changes) {
-        brighter[frame] += shown.brighter / changes;
-        darker[frame] += shown.darker / changes;
+    void add(std::size_t frame, double share) {
+        if (std::isnan(share)) return;
+        sums_[frame] += share;
+        ++counts_[frame];
+    }
+    std::vector<double> means() const {
+        std::vector<double> means;
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            means.push_back(counts_[i] > 0 ? sums_[i] / counts_[i]
+                                           : std::numeric_limits<double>::quiet_NaN());
+        return means;
     }
 
-    std::vector<double> brighter, darker;
+private:
+    std::vector<double> sums_;
+    std::vector<int> counts_;
 };
 
-constexpr PictureColumn change_columns[] = {{"lag", "lag"},
-                                            {"lag_brighter", "brighter"},
-                                            {"lag_darker", "darker"},
-                                            {"brighter_1", "shown, fr. 1"},
-                                            {"darker_1", "gone, fr. 1"},
-                                            {"darker_4", "gone, fr. 4"}};
+constexpr PictureColumn change_columns[] = {
+    {"lag_brighter", "lag, brighter"}, {"brighter_1", "frame 1"}, {"brighter_4", "frame 4"},
+    {"lag_darker", "lag, darker"},     {"darker_1", "frame 1"},   {"darker_4", "frame 4"}};
 
 } // namespace
 
@@ -144,46 +154,46 @@ PartReport measure_change(const QualityOptions& options, QualityRenderer& render
     const Reference after = reference_with(options, renderer, scenes.pose, scenes.after, progress);
     PictureRows rows(options.rows, options.baseline);
     rows.begin_view();
-    std::vector<std::vector<Curves>> curves(options.rows.size()); // [row][seed]
+    std::vector<ordered_json> curves(options.rows.size(), ordered_json::array()); // [row][seed]
     take_turns(options, progress, "seed", [&](std::size_t row, int seed) {
-        Curves& curve = curves[row].emplace_back(scenes.frames);
+        Curve brighter(scenes.frames), darker(scenes.frames);
         renderer.change(scenes.before);
         renderer.begin_run(options.rows[row], seed);
         renderer.stand_still(scenes.pose, settle_frames);
         for (int cycle = 0; cycle < scenes.cycles; ++cycle)
             for (const bool back : {false, true}) {
                 renderer.change(back ? scenes.before : scenes.after);
-                for (int frame = 0; frame < scenes.frames; ++frame)
-                    curve.add(frame,
-                              change_shown(renderer.show(scenes.pose), back ? after : before,
-                                           back ? before : after),
-                              2 * scenes.cycles);
+                for (int frame = 0; frame < scenes.frames; ++frame) {
+                    const ChangeShown shown = change_shown(
+                        renderer.show(scenes.pose), back ? after : before, back ? before : after);
+                    brighter.add(frame, shown.brighter);
+                    darker.add(frame, shown.darker);
+                }
             }
-        const double brighter = lag_of(curve.brighter), darker = lag_of(curve.darker);
-        rows.add(row, "lag", std::max(brighter, darker));
-        rows.add(row, "lag_brighter", brighter);
-        rows.add(row, "lag_darker", darker);
-        for (const int frame : {1, 2, 4, 8}) {
-            rows.add(row, fmt::format("brighter_{}", frame), curve.brighter[frame - 1]);
-            rows.add(row, fmt::format("darker_{}", frame), curve.darker[frame - 1]);
+        const std::vector<double> come = brighter.means(), gone = darker.means();
+        rows.add(row, "lag_brighter", lag_of(come));
+        rows.add(row, "lag_darker", lag_of(gone));
+        for (const int frame : {1, 4}) {
+            rows.add(row, fmt::format("brighter_{}", frame), come[frame - 1]);
+            rows.add(row, fmt::format("darker_{}", frame), gone[frame - 1]);
         }
+        curves[row].push_back({{"brighter", come}, {"darker", gone}});
     });
     renderer.change({});
     ordered_json report = {
         {"views",
-         {view_json("change", scenes.pose, before), view_json("after", scenes.pose, after)}},
+         {view_json("before", scenes.pose, before), view_json("after", scenes.pose, after)}},
         {"frames_after_change", scenes.frames},
         {"shown_share", shown_share},
+        {"columns", to_json(change_columns)},
         {"nonfinite", renderer.nonfinite_count()},
         {"rows", rows.json()}};
     for (std::size_t row = 0; row < curves.size(); ++row)
-        for (const Curves& curve : curves[row])
-            report["rows"][row]["curves"].push_back(
-                {{"brighter", curve.brighter}, {"darker", curve.darker}});
-    std::string text =
-        fmt::format("\n{}: frames until {:.0f}% of a change is shown ({} of them after "
-                    "each; one more: later)\n{}",
-                    level, 100.0 * shown_share, scenes.frames, rows.text(change_columns));
+        report["rows"][row]["curves"] = std::move(curves[row]);
+    std::string text = fmt::format(
+        "\n{}: {}; frames until {:.0f}% of it is shown ({} at most; one more: later), "
+        "and the share that is after 1 and 4\n{}",
+        level, scenes.what, 100.0 * shown_share, scenes.frames, rows.text(change_columns));
     return {std::move(report), std::move(text)};
 }
 

@@ -64,6 +64,7 @@ PartReport measure_cut(const QualityOptions& options, QualityRenderer& renderer,
         views.push_back(view_json(place.name, pose, reference));
     }
     ordered_json report = {{"views", std::move(views)},
+                           {"columns", to_json(cut_columns)},
                            {"nonfinite", renderer.nonfinite_count()},
                            {"rows", rows.json()}};
     std::string text = fmt::format("\n{}: after a cut\n{}", level, rows.text(cut_columns));

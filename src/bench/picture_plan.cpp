@@ -4,8 +4,11 @@
 // cache.
 #include "bench/plan.h"
 
+#include "common/file_system.h"
+#include "formats/bsp.h"
+
 #include <algorithm>
-#include <iterator>
+#include <filesystem>
 #include <string_view>
 
 namespace vigil::bench {
@@ -30,11 +33,17 @@ constexpr Situation situations[] = {
     {"strobe", Measured::Change, 1, Changing::Strobe},
 };
 
-/// Levels that have doors.
-constexpr std::string_view door_levels[] = {"warehouse", "e1m1", "e3m4", "e3m6", "end", "start"};
-
-/// How much better sampling still shows after filtering.
-constexpr std::string_view other_techniques[] = {"sll", "lh", "vlc"};
+/// Whether a level, which the folders need not have, has doors.
+bool has_door(std::span<const std::filesystem::path> basedirs, const std::string& level) {
+    const std::filesystem::path folder = folder_with(basedirs, level);
+    if (folder.empty()) return false;
+    FileSystem files;
+    files.mount_game(folder, "baseq2");
+    const std::string path = "maps/" + level + ".bsp";
+    return std::ranges::any_of(
+        parse_bsp(path, files.read(path)).entities,
+        [](const Entity& entity) { return entity.classname() == "func_door"; });
+}
 
 } // namespace
 
@@ -45,7 +54,6 @@ Plan picture_plan(std::span<const std::string> arguments) {
     for (const char* level : {"e1m1", "e3m6"}) // where they are
         options.levels.emplace_back(level);
     options.rows = picture_rows("vlc+cdq");
-    options.baseline = "raw";
     options.views = 2;
     options.seeds = 2;
     options.reference_paths = 512;
@@ -58,10 +66,11 @@ Plan picture_plan(std::span<const std::string> arguments) {
     small.reference_paths = 64;
     Plan plan{"picture", parse_quality_options(arguments, {options, small, picture_rows}), {}};
 
+    // How much better sampling still shows after filtering.
     std::vector<QualityRow> all = plan.options.rows;
     if (!is_named(arguments, "--technique") && !is_named(arguments, "--quick"))
-        for (const std::string_view technique : other_techniques)
-            for (QualityRow& row : picture_rows(technique))
+        for (const QualityRow& technique : technique_rows())
+            for (QualityRow& row : picture_rows(technique.label))
                 if (row.label.starts_with("raw") || row.label.starts_with("full"))
                     all.push_back(std::move(row));
     // Of levels that come with nothing but a folder beside the sources, those that are there.
@@ -71,9 +80,7 @@ Plan picture_plan(std::span<const std::string> arguments) {
         });
     for (const std::string& level : plan.options.levels)
         for (const Situation& situation : situations) {
-            if (situation.needs_door &&
-                std::ranges::find(door_levels, level) == std::end(door_levels))
-                continue;
+            if (situation.needs_door && !has_door(plan.options.basedirs, level)) continue;
             Part& part = plan.parts.emplace_back(
                 Part{level + ' ' + std::string(situation.name), level, plan.options, "", 0.0});
             part.options.measured = situation.measured;

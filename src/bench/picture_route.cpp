@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames at the end of a camera movement: errors, FLIP, times. With a judge, raw pictures go to a
-// folder with what their surfaces are, and what the judge makes of them is measured as one more
-// row.
+// Frames at the end of a camera movement: errors, FLIP, times.
 #include "bench/display.h"
 #include "bench/flip.h"
-#include "bench/judge.h"
+#include "bench/picture_folder.h"
 #include "bench/picture_rows.h"
 #include "refresh/vkpt/gpu/passes.h"
 
@@ -56,7 +54,6 @@ void add_errors(PictureRows& rows, std::size_t row, const std::vector<float>& pi
 PartReport measure_route(const QualityOptions& options, QualityRenderer& renderer,
                          const std::string& level, Progress& progress) {
     PictureRows rows(options.rows, options.baseline);
-    const std::size_t judged = options.judge.empty() ? 0 : rows.add_row(judge_label);
     ordered_json views = ordered_json::array();
     for (const Place& place : renderer.places()) {
         rows.begin_view();
@@ -79,24 +76,19 @@ PartReport measure_route(const QualityOptions& options, QualityRenderer& rendere
                 add_errors(rows, row, run, reference, shown, exposure, options.size);
         ordered_json& view = views.emplace_back(view_json(place.name, pose, reference));
         view["exposure"] = exposure;
-        if (options.pictures.empty() && options.judge.empty()) continue;
+        if (options.pictures.empty()) continue;
 
-        const JudgeFolder folder(options, level, views.size());
+        const PictureFolder folder(options, level, views.size());
         folder.write("reference", picture);
         folder.write_surfaces(surfaces);
         for (std::size_t row = 0; row < pictures.size(); ++row)
             for (std::size_t seed = 0; seed < pictures[row].size(); ++seed)
                 folder.write(fmt::format("{}_{}", options.rows[row].label, seed + 1),
-                             pictures[row][seed]);
-        view["pictures"] = folder.path().string();
-        if (options.judge.empty()) continue;
-        progress.note("the judge");
-        folder.judge(options.judge);
-        for (int seed = 0; seed < options.seeds; ++seed)
-            add_errors(rows, judged, folder.read(fmt::format("{}_{}", judge_label, seed + 1)),
-                       reference, shown, exposure, options.size);
+                             std::move(pictures[row][seed]));
+        view["pictures"] = folder.path();
     }
     ordered_json report = {{"views", std::move(views)},
+                           {"columns", to_json(route_columns)},
                            {"nonfinite", renderer.nonfinite_count()},
                            {"rows", rows.json()}};
     std::string text =

@@ -23,11 +23,6 @@ void PictureRows::add(std::size_t row, const std::string& name, double value) {
     values->second.back().push_back(value);
 }
 
-std::size_t PictureRows::add_row(const std::string& label) {
-    rows_.push_back({{label, {}}, {}, {}});
-    return rows_.size() - 1;
-}
-
 Comparison PictureRows::ratio(const Row& row, const std::string& name) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const auto baseline = std::ranges::find(
@@ -69,6 +64,14 @@ std::string PictureRows::text(std::span<const PictureColumn> columns) const {
         text += '\n';
     }
     return text;
+}
+
+ordered_json to_json(std::span<const PictureColumn> columns) {
+    ordered_json json = ordered_json::array();
+    for (const PictureColumn& column : columns)
+        json.push_back(
+            {{"name", column.name}, {"heading", column.heading}, {"has_ratio", column.has_ratio}});
+    return json;
 }
 
 Reference picture_reference(const QualityOptions& options, QualityRenderer& renderer,

@@ -32,8 +32,6 @@ public:
     void begin_view() { ++views_; }
     /// A number of one run.
     void add(std::size_t row, const std::string& name, double value);
-    /// One more row, without variables; returns its index.
-    std::size_t add_row(const std::string& label);
 
     /// A member per row: what it is, and of each number all that is known, with the ratio to the
     /// baseline's run of the same view and seed.
@@ -53,6 +51,9 @@ private:
     std::string baseline_;
     std::size_t views_ = 0;
 };
+
+/// The columns, for tools that make tables of reports.
+nlohmann::ordered_json to_json(std::span<const PictureColumn> columns);
 
 /// A reference of as many paths as the options say, of the scene as it is; from the cache, where it
 /// goes.

@@ -91,6 +91,7 @@ PartReport measure_still(const QualityOptions& options, QualityRenderer& rendere
     ordered_json report = {{"views", std::move(views)},
                            {"settle_frames", settle_frames},
                            {"flicker_frames", flicker_frames},
+                           {"columns", to_json(still_columns)},
                            {"nonfinite", renderer.nonfinite_count()},
                            {"rows", rows.json()}};
     std::string text = fmt::format(

@@ -95,23 +95,4 @@ void write_exr(const std::filesystem::path& path, const refresh::RadiancePicture
     write_file(path, std::as_bytes(std::span(encoded, size)));
 }
 
-refresh::RadiancePicture read_exr(const std::filesystem::path& path) {
-    float* raw = nullptr;
-    const char* reason = nullptr;
-    refresh::RadiancePicture picture;
-    const int status =
-        LoadEXR(&raw, &picture.width, &picture.height, path.string().c_str(), &reason);
-    const std::unique_ptr<float, decltype(&std::free)> rgba(raw, std::free);
-    if (status != TINYEXR_SUCCESS) {
-        const std::string text = reason != nullptr ? reason : "unknown reason";
-        FreeEXRErrorMessage(reason);
-        fail("{}: {}", path.string(), text);
-    }
-    picture.frames = 1;
-    const auto pixels = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
-    for (size_t i = 0; i < 4 * pixels; ++i)
-        if (i % 4 != 3) picture.rgb.push_back(rgba.get()[i]);
-    return picture;
-}
-
 } // namespace vigil::client

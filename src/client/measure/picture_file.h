@@ -15,8 +15,4 @@ void write_png(const std::filesystem::path& path, const refresh::Picture& pictur
 /// Writes channels R, G, B as 32-bit floats, compressed without loss. Throws Error likewise.
 void write_exr(const std::filesystem::path& path, const refresh::RadiancePicture& picture);
 
-/// Reads what write_exr, or a tool, wrote: R, G and B of any EXR file that tinyexr knows. Files of
-/// strangers are not for it. Throws Error naming the file and the fault.
-refresh::RadiancePicture read_exr(const std::filesystem::path& path);
-
 } // namespace vigil::client
