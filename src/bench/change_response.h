@@ -5,25 +5,24 @@
 
 #include "bench/reference.h"
 
-#include <cstddef>
+#include <glm/vec2.hpp>
 #include <span>
 
 namespace vigil::bench {
 
-/// Share of the change that a picture shows: 0 as before, 1 as after. NaN where too few pixels
-/// change.
+/// Share of the change that a picture shows: 0 as before, 1 as after. NaN where too little of the
+/// picture changes.
 struct ChangeShown {
-    double brighter = 0.0; // over the pixels that become brighter
-    double darker = 0.0;   // the others: a trail of light is what is missing here
+    double brighter = 0.0; // where light comes
+    double darker = 0.0;   // where it goes: a trail is what is missing here
 };
 
-/// With a and b the references, x the picture, all divided by the brighter reference of the pixel:
-/// sum of x - a over sum of b - a. Linear in the picture, so its noise averages out; for a filter
-/// that mixes the pictures of before and after it is the weight of the latter. Counted are pixels
-/// that change by at least a tenth and by 5 times the error of that. The references' noise is also
-/// in the divisor: with variance v it makes a share too large by v / (b (b - a)), 2% at most.
+/// With a, b and x the sums of both references and of the picture over a tile of 8 x 8 pixels, each
+/// divided by the larger of a and b: sum of x - a over sum of b - a. Linear in the picture, so its
+/// noise averages out; for a filter that mixes the pictures of before and after it is the weight of
+/// the latter. Counted are tiles that change by at least a tenth and by 5 times the error of that.
 ChangeShown change_shown(std::span<const float> picture, const Reference& before,
-                         const Reference& after);
+                         const Reference& after, glm::ivec2 size);
 
 /// What counts as shown.
 inline constexpr double shown_share = 0.9;

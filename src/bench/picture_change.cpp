@@ -164,8 +164,9 @@ PartReport measure_change(const QualityOptions& options, QualityRenderer& render
             for (const bool back : {false, true}) {
                 renderer.change(back ? scenes.before : scenes.after);
                 for (int frame = 0; frame < scenes.frames; ++frame) {
-                    const ChangeShown shown = change_shown(
-                        renderer.show(scenes.pose), back ? after : before, back ? before : after);
+                    const ChangeShown shown =
+                        change_shown(renderer.show(scenes.pose), back ? after : before,
+                                     back ? before : after, options.size);
                     brighter.add(frame, shown.brighter);
                     darker.add(frame, shown.darker);
                 }
