@@ -34,6 +34,8 @@ constexpr Bench benches[] = {
     {"confirm", "values that trade takes for better than the default, with fresh seeds",
      run_experiment<confirm_plan>},
     {"hierarchy", "time to build the light hierarchy, by number of lights", run_hierarchy_bench},
+    {"picture", "error, flicker, lag and detail of filtered pictures, and their cost",
+     run_experiment<picture_plan>},
     {"quality", "error of every technique at one sample per pixel, and its cost (figure 8)",
      run_experiment<quality_plan>},
     {"ring", "how fast directional quadtrees follow a light that turns (figure 10)",

@@ -37,6 +37,9 @@ Measure measure_times;
 /// 10.
 Measure measure_turn;
 
+/// What `picture` measures (options.h: Measured), each in a file of its own.
+Measure measure_route, measure_still, measure_change, measure_cut;
+
 nlohmann::ordered_json to_json(const Interval& interval);
 nlohmann::ordered_json to_json(const Comparison& comparison);
 /// The mean, the typical run, and the values themselves.

@@ -136,6 +136,30 @@ QualityRow preset_row(std::string_view name) {
     return row;
 }
 
+std::vector<QualityRow> picture_rows(std::string_view technique) {
+    const QualityRow base = technique_row(technique);
+    // Camera rays go through the middles of pixels in references, so they do here.
+    const QualityRow filters[] = {
+        {"raw", {{"flt_enable", "0"}}},
+        {"temporal", {{"flt_enable", "1"}, {"flt_taa", "0"}, {"flt_atrous", "0"}}},
+        {"full", {{"flt_enable", "1"}, {"flt_taa", "0"}}},
+        {"svgf-like",
+         {{"flt_enable", "1"},
+          {"flt_taa", "0"},
+          {"flt_history", "5"}, // a new frame counts for a fifth
+          {"flt_atrous", "5"},
+          {"flt_sigma", "4"},
+          {"flt_firefly", "0"},
+          {"flt_antilag", "0"}}}};
+    std::vector<QualityRow> rows;
+    for (const QualityRow& filter : filters) {
+        QualityRow& row = rows.emplace_back(filter);
+        if (technique != default_reference) row.label += fmt::format(" {}", technique);
+        row.settings.insert(row.settings.begin(), base.settings.begin(), base.settings.end());
+    }
+    return rows;
+}
+
 std::vector<QualityRow> ring_rows(std::span<const int> bits) {
     std::vector<QualityRow> rows;
     for (const int size : bits)
@@ -177,8 +201,9 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options.size.x, options.size.y));
     parser.add_count("--seeds", options.seeds, 1, 1000, "repeats");
-    parser.add_count("--frames", options.frames, turns ? 2 * ring_tail : 1, turns ? 10000 : 900,
-                     "frames measured in each run");
+    if (options.measured != Measured::Route)
+        parser.add_count("--frames", options.frames, turns ? 2 * ring_tail : 1, turns ? 10000 : 900,
+                         "frames measured in each run");
     parser.add_count("--reference-paths", options.reference_paths, turns ? 48 : 2, 100000000,
                      "most paths per pixel of a reference");
     parser.add_flag("--fresh", options.fresh, "make references anew");
@@ -215,6 +240,10 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
         parser.add_flag("--floor", options.floor, "the least error that a choice of lights leaves");
         parser.add_option("--pictures", options.pictures, "folder for references and runs");
     }
+    if (options.measured == Measured::Route) {
+        parser.add_option("--pictures", options.pictures,
+                          "folder for references, runs, albedo and normals");
+    }
     if (!options.trade.empty())
         parser.add_option("--trade", options.trade, "the report whose values are measured again");
     parser.read(arguments);
@@ -234,7 +263,12 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
     }
     if (turns) options.rows = ring_rows(options.bits);
     if (!techniques.empty()) options.rows.clear();
-    std::ranges::transform(techniques, std::back_inserter(options.rows), technique_row);
+    for (const std::string& name : techniques) {
+        if (defaults.rows_of)
+            std::ranges::move(defaults.rows_of(name), std::back_inserter(options.rows));
+        else
+            options.rows.push_back(technique_row(name));
+    }
     for (const std::string& name : presets) {
         const QualityRow row = preset_row(name);
         if (!has_row(options, row.label)) options.rows.push_back(row);

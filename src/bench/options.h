@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <span>
 #include <string>
@@ -30,7 +31,18 @@ enum class Measured {
     Errors, // of single frames after a warm-up, and times
     Curve,  // errors frame by frame from an empty cache, standing still
     Times,  // of every frame of the warm-up, by pass; no references
-    Turn    // errors frame by frame after a lamp has turned
+    Turn,   // errors frame by frame after a lamp has turned
+    Route,  // of `picture`: errors and FLIP of frames while the camera moves, and times
+    Still,  // flicker and detail of a view that stands still, flicker of one that moves
+    Change, // how fast light that comes or goes is shown
+    Cut     // errors after the camera was elsewhere
+};
+
+/// What changes in a scene, of Measured::Change.
+enum class Changing {
+    Lamp,  // one that moves at once
+    Door,  // one that is gone at once
+    Strobe // all lights, to a quarter
 };
 
 struct QualityOptions {
@@ -56,6 +68,7 @@ struct QualityOptions {
     std::string json;               // empty: NAME.json below outdir
     std::string trade;              // of `confirm`: the report whose values are measured again
     std::string pictures;           // folder for pictures of references and runs; empty: none
+    Changing changing = Changing::Lamp; // of Measured::Change
     // Of `ring`: frames before the lamp turns, its turns in degrees, and sizes of quadtrees.
     int settle = 0;
     std::vector<int> turns, bits;
@@ -65,6 +78,8 @@ struct QualityOptions {
 struct QualityDefaults {
     QualityOptions options;
     QualityOptions quick; // with --quick
+    /// Rows of a technique that is asked for; empty: the technique itself.
+    std::function<std::vector<QualityRow>(std::string_view technique)> rows_of = {};
 };
 
 /// Parses the words after an experiment's name; which options there are depends on what is
@@ -108,6 +123,11 @@ std::vector<QualityRow> technique_rows();
 /// The row `preset NAME`, with the variables of pt_preset NAME. Throws Error when there is no such
 /// preset.
 QualityRow preset_row(std::string_view name);
+
+/// The raw picture, with its light averaged over time, filtered, and filtered with what SVGF
+/// (Schied et al. 2017) has in place of our variables, all with rays of a technique. Labels name
+/// the technique unless it is vlc+cdq.
+std::vector<QualityRow> picture_rows(std::string_view technique);
 
 /// One row per size of quadtree, bits, and one with rays drawn by the BRDF alone, the last.
 std::vector<QualityRow> ring_rows(std::span<const int> bits);

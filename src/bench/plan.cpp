@@ -49,11 +49,11 @@ std::vector<Part> level_parts(const QualityOptions& options) {
     return parts;
 }
 
+} // namespace
+
 bool is_named(std::span<const std::string> arguments, std::string_view option) {
     return std::ranges::find(arguments, option) != arguments.end();
 }
-
-} // namespace
 
 QualityOptions least(QualityOptions options) {
     options.views = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // An experiment as a list of parts, each a level and how it is measured: what `quality`, `adapt`,
-// `ring`, `timing`, `scale`, `trade` and `confirm` are. All share options, progress, references,
-// and the report that is continued after an interruption.
+// `ring`, `timing`, `scale`, `trade`, `confirm` and `picture` are. All share options, progress,
+// references, and the report that is continued after an interruption.
 #pragma once
 
 #include "bench/options.h"
@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vigil::bench {
@@ -42,6 +43,10 @@ Plan scale_plan(std::span<const std::string> arguments);
 /// variables. The table is in trade_plan.cpp.
 Plan trade_plan(std::span<const std::string> arguments);
 
+/// How calm pictures are, and what that costs: parts are levels and situations (a moving camera, a
+/// still one, changes of light, cuts), rows are filters.
+Plan picture_plan(std::span<const std::string> arguments);
+
 /// The values that the report of `trade` (--trade FILE) takes for better than the default, once
 /// more: with fresh seeds, against the default alone. No parts where there is no such value. Throws
 /// Error when that report is not finished or has some of these seeds.
@@ -50,6 +55,9 @@ Plan confirm_plan(std::span<const std::string> arguments);
 /// Parts with guided rays, of levels in which quadtrees learn late (a table in plan.cpp), get the
 /// warm-up that they need there, unless `arguments` hold --warmup or --quick.
 void warm_up_quadtrees(Plan& plan, std::span<const std::string> arguments);
+
+/// Whether the words have an option.
+bool is_named(std::span<const std::string> arguments, std::string_view option);
 
 /// What `trade` and `confirm` do with --quick: one small picture of everything.
 QualityOptions least(QualityOptions options);

@@ -130,7 +130,8 @@ ordered_json measure_part(const Part& part, Progress& progress) {
     json.erase("rows");
     progress.note("preparing");
     renderer.prepare(part.options.rows);
-    Measure* const measures[] = {measure_errors, measure_curve, measure_times, measure_turn};
+    Measure* const measures[] = {measure_errors, measure_curve, measure_times,  measure_turn,
+                                 measure_route,  measure_still, measure_change, measure_cut};
     const PartReport report = measures[static_cast<std::size_t>(part.options.measured)](
         part.options, renderer, part.level, progress);
     json.update(report.json);

@@ -3,15 +3,14 @@
 // for the best of them, then the errors.
 #include "bench/measure.h"
 
-#include "client/measure/picture_file.h"
-#include "common/error.h"
+#include "bench/picture_folder.h"
+#include "bench/picture_rows.h"
 #include "refresh/vkpt/gpu/passes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -82,24 +81,13 @@ ordered_json make_reference(const QualityOptions& options, QualityRenderer& rend
 /// LABEL_SEED.exr below the folder; returns where.
 std::string write_pictures(const QualityOptions& options, const std::string& level,
                            std::size_t view, const Reference& reference, const Pictures& pictures) {
-    const std::filesystem::path folder =
-        std::filesystem::path(options.pictures) / level / fmt::format("view{}", view + 1);
-    std::error_code fault;
-    std::filesystem::create_directories(folder, fault);
-    if (fault) fail("{}: {}", folder.string(), fault.message());
-    refresh::RadiancePicture picture{options.size.x, options.size.y, 1, {}};
-    for (std::size_t i = 0; i < reference.values(); ++i)
-        picture.rgb.push_back(static_cast<float>(reference.mean(i)));
-    client::write_exr(folder / "reference.exr", picture);
-    for (std::size_t row = 0; row < pictures.size(); ++row) {
-        std::string label = options.rows[row].label;
-        std::ranges::replace(label, '/', '_');
-        for (std::size_t seed = 0; seed < pictures[row].size(); ++seed) {
-            picture.rgb = pictures[row][seed].front();
-            client::write_exr(folder / fmt::format("{}_{}.exr", label, seed + 1), picture);
-        }
-    }
-    return folder.string();
+    const PictureFolder folder(options, level, view + 1);
+    folder.write("reference", picture_of(reference));
+    for (std::size_t row = 0; row < pictures.size(); ++row)
+        for (std::size_t seed = 0; seed < pictures[row].size(); ++seed)
+            folder.write(fmt::format("{}_{}", options.rows[row].label, seed + 1),
+                         pictures[row][seed].front());
+    return folder.path();
 }
 
 /// A number that is measured of every run, in the order of the report, and how it is compared.

@@ -7,6 +7,7 @@
 #include "common/stopwatch.h"
 #include "console/cvar.h"
 #include "console/outdir.h"
+#include "formats/bsp_query.h"
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/gpu/passes.h"
 #include "refresh/vkpt/gpu/shader_library.h"
@@ -45,6 +46,17 @@ std::uint64_t shader_hash(const std::string& technique, const std::string& guide
 }
 
 } // namespace
+
+std::string SceneChange::text() const {
+    std::string text;
+    if (lamp)
+        text += fmt::format(" lamp {} {} {} radius {} radiance {} {} {}", lamp->origin.x,
+                            lamp->origin.y, lamp->origin.z, lamp->radius, lamp->radiance.x,
+                            lamp->radiance.y, lamp->radiance.z);
+    if (hidden >= 0) text += fmt::format(" without {}", hidden);
+    if (brightness != 1.0f) text += fmt::format(" styles times {}", brightness);
+    return text;
+}
 
 double group_ms(std::span<const double> pass_ms, refresh::PassGroup group) {
     double sum = 0.0;
@@ -118,6 +130,15 @@ std::uint64_t QualityRenderer::render(const Pose& pose) {
     refresh::Frame frame = session_->frame_at(pose.time_s);
     frame.view.origin = pose.origin;
     frame.view.angles = pose.angles;
+    if (change_.lamp) frame.dynamic_lights = std::span(&*change_.lamp, 1);
+    if (change_.hidden >= 0) {
+        entities_.assign(frame.entities.begin(), frame.entities.end());
+        for (refresh::Entity& entity : entities_)
+            if (entity.number == change_.hidden) entity.model = -1;
+        frame.entities = entities_;
+    }
+    for (float& style : frame.light_styles)
+        style *= change_.brightness;
     return renderer_->render(frame);
 }
 
@@ -191,11 +212,50 @@ LightFloor QualityRenderer::floor(const Place& place) {
 
 std::vector<std::vector<float>> QualityRenderer::stand_still(const Pose& pose, int frames) {
     std::vector<std::vector<float>> pictures;
-    for (int frame = 0; frame < frames; ++frame) {
-        render(pose);
-        pictures.push_back(renderer_->read_radiance().rgb);
-    }
+    for (int frame = 0; frame < frames; ++frame)
+        pictures.push_back(show(pose));
     return pictures;
+}
+
+std::vector<float> QualityRenderer::show(const Pose& pose) {
+    render(pose);
+    return renderer_->read_radiance().rgb;
+}
+
+std::vector<shader::PrimaryHit> QualityRenderer::surfaces() {
+    const vkpt::FrameBuffers& buffers = renderer_->buffers();
+    return gpu::download_now_as<shader::PrimaryHit>(renderer_->device(), buffers.primary_hits(), 0,
+                                                    std::uint64_t{buffers.size().x} *
+                                                        buffers.size().y);
+}
+
+shader::FrameParams QualityRenderer::camera(const Pose& pose) const {
+    refresh::View view = session_->frame_at(pose.time_s).view;
+    view.origin = pose.origin;
+    view.angles = pose.angles;
+    shader::FrameParams params{};
+    vkpt::set_camera(params, view, renderer_->buffers().size());
+    return params;
+}
+
+std::vector<Door> QualityRenderer::doors() const {
+    const Bsp& bsp = session_->level()->bsp;
+    std::vector<Door> doors;
+    const client::LevelEntities& placed = session_->entities();
+    for (std::size_t i = 0; i < placed.entities().size(); ++i) {
+        const refresh::Entity& entity = placed.entities()[i];
+        const std::string& model = placed.models()[i];
+        if (entity.model < 0 || !model.starts_with('*') ||
+            bsp.entities[entity.number].classname() != "func_door")
+            continue;
+        const auto& bounds = bsp.models[std::stoul(model.substr(1))];
+        doors.push_back({entity.number, bounds.mins + entity.origin, bounds.maxs + entity.origin});
+    }
+    return doors;
+}
+
+bool QualityRenderer::is_open(const glm::vec3& point) const {
+    return cluster_at(session_->level()->bsp, point) >= 0;
 }
 
 void QualityRenderer::turn(const std::string& target, float yaw) {
@@ -235,6 +295,7 @@ std::string QualityRenderer::reference_key(const Pose& pose, const QualityRow& r
                     pose.angles.x, pose.angles.y, pose.angles.z, pose.time_s, technique,
                     shader_hash(technique, value_of("pt_guide")), reference_batch_paths);
     key += turned_;
+    key += change_.text();
     for (const CvarInfo& info : cvar_infos) {
         if (info.affects != Affects::Reference) continue;
         const std::string value = value_of(info.name);

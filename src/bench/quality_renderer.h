@@ -8,11 +8,13 @@
 #include "bench/quality_places.h"
 #include "bench/reference.h"
 #include "client/play/session.h"
+#include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/renderer.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +47,22 @@ struct FrameCost {
     double frame_ms = 0.0; // by the clock of the host
 };
 
+/// How a scene differs from the level at rest.
+struct SceneChange {
+    std::optional<refresh::DynamicLight> lamp;
+    int hidden = -1;         // number of an entity that is not there
+    float brightness = 1.0f; // factor on all light styles
+
+    /// For keys of references; empty: nothing differs.
+    std::string text() const;
+};
+
+/// A door of the level.
+struct Door {
+    int number = 0;                  // of its entity
+    glm::vec3 low{0.0f}, high{0.0f}; // its bounds
+};
+
 class QualityRenderer {
 public:
     /// Loads a level from the first of the folders that has it. The variables now set are the base
@@ -73,6 +91,17 @@ public:
     void begin_run(const QualityRow& row, int seed);
     /// The pictures of `frames` >= 1 more frames that stand still at the pose.
     std::vector<std::vector<float>> stand_still(const Pose& pose, int frames);
+    /// Renders one frame and reads it.
+    std::vector<float> show(const Pose& pose);
+    /// What the camera rays of the last frame met, a pixel each.
+    std::vector<shader::PrimaryHit> surfaces();
+    /// The camera's part of a frame's parameters.
+    shader::FrameParams camera(const Pose& pose) const;
+    /// From the next frame on the scene is the level's with this change. References know it.
+    void change(const SceneChange& change) { change_ = change; }
+    std::vector<Door> doors() const;
+    /// Whether a point is in the open.
+    bool is_open(const glm::vec3& point) const;
     /// Turns brush models as the console's `turn` does; degrees. References know it.
     void turn(const std::string& target, float yaw);
 
@@ -107,8 +136,10 @@ private:
     std::unique_ptr<vkpt::VkptRenderer> renderer_;
     std::unique_ptr<client::Session> session_;
     std::vector<Place> places_;
-    std::string turned_;             // what turn() did, as text
-    std::uint64_t content_hash_ = 0; // of the level's file and its materials
+    std::string turned_; // what turn() did, as text
+    SceneChange change_;
+    std::vector<refresh::Entity> entities_; // of the frame, where some are hidden
+    std::uint64_t content_hash_ = 0;        // of the level's file and its materials
 };
 
 /// Sum over the passes of a group; `pass_ms` in the order of refresh/vkpt/gpu/passes.h.

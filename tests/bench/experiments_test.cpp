@@ -117,6 +117,40 @@ TEST_F(Experiments, RingTurnsTheLamp) {
     EXPECT_EQ(report["parts"][0]["degrees"], 36);
 }
 
+TEST_F(Experiments, PictureComparesFiltersInEverySituation) {
+    const json report = measure(
+        "picture", {"--size", "48x27", "--warmup", "4", "--pictures", file("pictures").string()});
+    std::map<std::string, std::map<std::string, json>> rows; // [situation][row]
+    for (const json& part : report["parts"])
+        for (const json& row : part["rows"])
+            rows[part["part"].get<std::string>().substr(10)][row["label"]] = row; // warehouse
+    ASSERT_EQ(rows.size(), 6u);
+    const auto typical = [&](const char* situation, const char* row, const char* measure) {
+        return rows[situation][row][measure]["median"]["value"].get<double>();
+    };
+    for (const char* row : {"raw", "temporal", "full", "svgf-like"}) {
+        EXPECT_GT(typical("route", row, "mse"), 0.0) << row;
+        EXPECT_GT(typical("route", row, "flip"), 0.0) << row;
+        EXPECT_GT(typical("cut", row, "mse_8"), 0.0) << row;
+        EXPECT_NEAR(typical("strobe", row, "brighter_4"), 1.0, 0.5) << row;
+    }
+    EXPECT_EQ(typical("route", "raw", "filter_ms"), 0.0);
+    EXPECT_GT(typical("route", "full", "filter_ms"), 0.0);
+    EXPECT_LT(typical("route", "full", "mse"), typical("route", "raw", "mse"));
+    EXPECT_LT(typical("still", "full", "flicker"), 0.1 * typical("still", "raw", "flicker"));
+    EXPECT_LT(typical("still", "full", "moving_flicker"),
+              typical("still", "raw", "moving_flicker"));
+    // What nothing remembers shows lamps at once.
+    EXPECT_NEAR(typical("lamp", "raw", "brighter_1"), 1.0, 0.5);
+    EXPECT_NEAR(typical("lamp", "raw", "darker_1"), 1.0, 0.5);
+    EXPECT_GE(typical("lamp", "full", "lag_darker"), 1.0);
+    EXPECT_LE(typical("lamp", "full", "lag_darker"), 17.0); // 16 frames, or later
+    for (const char* name : {"reference", "raw_1", "svgf-like_1", "albedo", "normal"})
+        EXPECT_TRUE(std::filesystem::exists(file("pictures") / "warehouse" / "view1" /
+                                            (std::string(name) + ".exr")))
+            << name;
+}
+
 TEST_F(Experiments, TradeGoesOnAfterAnInterruption) {
     const std::vector<std::string> some = {"--part", "warehouse pt_vlc"};
     const auto program = start("trade", some);

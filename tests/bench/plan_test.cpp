@@ -25,7 +25,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-const auto plans = {&quality_plan, &adapt_plan, &ring_plan, &timing_plan, &scale_plan, &trade_plan};
+const auto plans = {&quality_plan, &adapt_plan, &ring_plan,   &timing_plan,
+                    &scale_plan,   &trade_plan, &picture_plan};
 
 /// Sets and reads back: a name that exists, a value in its range.
 void expect_value(const Setting& setting) {
@@ -88,6 +89,40 @@ TEST(Plan, QuadtreesGetTheFramesTheyNeedWhereTheyLearnLate) {
     EXPECT_LT(warmups({"--quick", "--level", "mine"})["mine pt_cdq_bits"], 64);
 }
 
+TEST(Plan, PicturesAreMeasuredInEverySituation) {
+    const auto parts_of = [](const Words& words) {
+        std::map<std::string, Part> parts;
+        for (const Part& part : picture_plan(words).parts)
+            parts.emplace(part.name, part);
+        return parts;
+    };
+    const auto labels = [](const Part& part) {
+        std::set<std::string> found;
+        for (const QualityRow& row : part.options.rows)
+            found.insert(row.label);
+        return found;
+    };
+    const std::set<std::string> filters = {"raw", "temporal", "full", "svgf-like"};
+    auto usual = parts_of({"--level", "warehouse", "--level", "gallery"});
+    EXPECT_EQ(usual.size(), 11u); // gallery has no door
+    EXPECT_TRUE(usual.contains("warehouse door"));
+    EXPECT_EQ(labels(usual.at("gallery strobe")), filters);
+    // Along routes every way of sampling, raw and filtered.
+    const std::set<std::string> all = labels(usual.at("gallery route"));
+    EXPECT_EQ(all.size(), filters.size() + 2 * technique_rows().size());
+    EXPECT_TRUE(all.contains("full sll"));
+    EXPECT_EQ(usual.at("gallery lamp").options.views, 1);
+    // One technique in the place of the usual one, compared with its own raw pictures.
+    const auto lists = parts_of({"--level", "warehouse", "--technique", "sll"});
+    for (const auto& [name, part] : lists) {
+        EXPECT_EQ(labels(part),
+                  (std::set<std::string>{"raw sll", "temporal sll", "full sll", "svgf-like sll"}))
+            << name;
+        EXPECT_EQ(part.options.baseline, "raw sll");
+    }
+    EXPECT_THROW(picture_plan(Words{"--frames", "3"}), Error);
+}
+
 TEST(Plan, ResolutionsSeeTheSamePlaceAfterAsManyFrames) {
     for (const Words& words : {Words{}, Words{"--views", "3", "--seeds", "5"}}) {
         Plan plan = scale_plan(words);
@@ -122,12 +157,14 @@ TEST(Plan, TheDefaultIsAmongWhatIsTried) {
 
 TEST(Plan, ViewsAreEnoughForIntervals) {
     for (const auto& make : plans) {
-        for (const Part& part : make({}).parts) {
+        const Plan plan = make({});
+        for (const Part& part : plan.parts) {
             const QualityOptions& options = part.options;
             if (options.measured == Measured::Times || options.measured == Measured::Turn) {
                 EXPECT_GE(options.seeds, 6) << part.name; // flights, or runs at one place
                 continue;
             }
+            if (plan.name == "picture") continue; // no intervals
             EXPECT_GE(options.views, 4) << part.name;
             if (part.axis != "resolution") {
                 EXPECT_GE(options.views * options.seeds, 6) << part.name;

@@ -39,6 +39,21 @@ def report(measured, parts, **more):
                        "rows": [row("base"), *rows]} for name, rows in parts.items()]} | more
 
 
+class Pictures(unittest.TestCase):
+    def test_a_table_has_the_columns_of_its_part(self):
+        def measure(value, ratio):
+            return {"median": {"value": value, "low": None, "high": None}, "ratio": {"value": ratio}}
+
+        part = {"part": "warehouse lamp", "baseline": "raw",
+                "columns": [{"name": "mse", "heading": "MSE", "has_ratio": True}, {"name": "lag", "heading": "lag", "has_ratio": False},
+                            {"name": "none", "heading": "nothing", "has_ratio": True}],
+                "rows": [{"label": "raw", "mse": measure(0.5, 1.0), "lag": measure(1.0, 1.0)},
+                         {"label": "full", "mse": measure(0.25, 0.5), "lag": measure(None, None)}]}
+        (head, lines), = tables.picture({"parts": [part]})
+        self.assertEqual(head, ["warehouse lamp", "MSE (/ raw)", "lag", "nothing (/ raw)"])
+        self.assertEqual(lines, [["raw", "0.5 (1)", "1", ""], ["full", "0.25 (0.5)", "?", ""]])
+
+
 class Statistics(unittest.TestCase):
     def test_ranks_are_those_of_the_sign_test(self):
         for count, rank in ((8, 1), (16, 4), (24, 7), (32, 10)):

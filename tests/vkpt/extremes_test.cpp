@@ -176,7 +176,7 @@ TEST_F(Extremes, OnePixel) {
     set("pt_guide", "cdq");
     radiance(shot);
     renderer().device().wait_idle();
-    renderer().buffers().resize({1, 1});
+    renderer().buffers().resize({1, 1}, {1, 1}, false);
     renderer().buffers().bind(*renderer().scene(), *renderer().technique(),
                               *renderer().technique());
     const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 64);

@@ -40,6 +40,7 @@ SECTIONS = (
     ("scale", "Lights, pixels and triangles", scale),
     ("trade", "What each variable costs and buys", trade),
     ("confirm", "What looked better, on fresh seeds", SimpleNamespace(draw=lambda report: ())),
+    ("picture", "Filtered pictures", SimpleNamespace(draw=lambda report: ())),
 )
 
 TABLES_TEXT = ("Ratios are over the baseline of their part: first that of the means, an estimate; then that of the typical run, with its 95% "

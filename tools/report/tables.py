@@ -200,7 +200,23 @@ def confirm(report):
     yield from trade(report)
 
 
-KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade, confirm)}
+def picture(report):
+    """One table per part: the typical run of every row and, where it says something, its ratio to the baseline's."""
+
+    def text(row, column):
+        measure = row.get(column["name"])
+        if measure is None:
+            return ""
+        value = number(measure["median"]["value"])
+        return f"{value} ({number(measure['ratio']['value'])})" if column["has_ratio"] else value
+
+    for part in report["parts"]:
+        headings = [column["heading"] + (f" (/ {part['baseline']})" if column["has_ratio"] else "") for column in part["columns"]]
+        lines = [[row["label"], *(text(row, column) for column in part["columns"])] for row in part["rows"]]
+        yield [part["part"], *headings], lines
+
+
+KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade, confirm, picture)}
 
 
 def markdown_table(head, lines):
