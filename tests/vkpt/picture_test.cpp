@@ -190,10 +190,10 @@ TEST_F(PictureTest, FewerPixelsThanThePictureAreScaledUp) {
         for (int frame = 0; frame < 24; ++frame)
             renderer().render(shot_.frame());
         EXPECT_EQ(renderer().read_radiance().width, 64 * std::stoi(percent) / 100);
-        refresh::Picture picture = renderer().read_picture(false);
-        EXPECT_EQ(picture.width, 64);
-        EXPECT_EQ(picture.height, 48);
-        return picture.rgba;
+        refresh::Picture seen = renderer().read_picture(false);
+        EXPECT_EQ(seen.width, 64);
+        EXPECT_EQ(seen.height, 48);
+        return seen.rgba;
     };
     const std::vector<uint8_t> whole = picture("100");
     const std::vector<uint8_t> scaled = picture("50");
