@@ -40,7 +40,8 @@ BRDF = part("brdf", "tests/light/brdf_test.cpp")
 LTC_TABLE = part("ltc_table", "tests/light/ltc_table_test.cpp", LIGHT + "ltc_table.cpp", libraries=("vigil_ltc_fit",))
 FORM_FACTOR = part("form_factor", "tests/light/form_factor_test.cpp")
 ALIAS_TABLE = part("alias_table", "tests/light/alias_table_test.cpp", LIGHT + "alias_table.cpp")
-EXPLORATION = part("exploration", "tests/light/exploration_test.cpp", LIGHT + "exploration.cpp", computes=False)
+EXPLORATION = part("exploration", "tests/light/exploration_test.cpp", LIGHT + "exploration.cpp", LIGHT + "light_changes.cpp",
+                   computes=False)
 EXPLORE_SHARE = part("explore_share", "tests/light/explore_memory_test.cpp", computes=False)
 LIGHT_TREE = part("light_tree", "tests/light/light_tree_test.cpp", LIGHT + "light_tree.cpp", computes=False)
 HIERARCHY = part("light_hierarchy", "tests/light/light_hierarchy_test.cpp", "tests/light/light_hierarchy_oracle.cpp",
