@@ -32,6 +32,28 @@ vec2 smooth_variance(ivec2 pixel, uint source, vec2 deviation) {
     return sum / weights;
 }
 
+bool same_side(ivec2 at, ivec2 pixel) {
+    return inside_picture(at) && (at.x < int(frame.split_column)) == (pixel.x < int(frame.split_column));
+}
+
+/// Light of the eight around a pixel, whatever they show. The brighter, the less it counts: a lamp's own surface tells little of others.
+Light2 light_around(ivec2 pixel, uint source, Light2 middle) {
+    Light2 sum = Light2(vec3(0.0), vec3(0.0), vec2(0.0));
+    vec2 weights = vec2(0.0);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const ivec2 at = pixel + ivec2(x, y);
+            if (x == 0 && y == 0 || !same_side(at, pixel) || filter_surfaces[this_half() + pixel_index(at)].depth == 0.0) continue;
+            const Light2 light = unpack_light(filter_light[source + pixel_index(at)]);
+            const vec2 weight = 1.0 / (middle.deviation + luminances(light.direct, light.indirect) + 1e-6);
+            sum.direct += weight.x * light.direct;
+            sum.indirect += weight.y * light.indirect;
+            weights += weight;
+        }
+    if (weights.x == 0.0) return middle;
+    return Light2(sum.direct / weights.x, sum.indirect / weights.y, middle.deviation);
+}
+
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (!inside_picture(pixel)) return;
@@ -58,14 +80,12 @@ void main() {
 
     const float own = 4.0;
     vec2 weights = vec2(own);
-    vec3 near_direct = vec3(0.0), near_indirect = vec3(0.0);
-    vec2 near = vec2(0.0);
     Light2 sum = Light2(own * middle.direct, own * middle.indirect, own * own * middle.deviation * middle.deviation);
     for (int i = 0; i < 9; ++i) {
         if (i == 4) continue;
         const ivec2 step = ivec2(i % 3 - 1, i / 3 - 1);
         const ivec2 at = pixel + stride * step;
-        if (!inside_picture(at) || (at.x < int(frame.split_column)) != (pixel.x < int(frame.split_column))) continue;
+        if (!same_side(at, pixel)) continue;
         const uint there = pixel_index(at);
         const FilterSurface other = filter_surfaces[this_half() + there];
         if (other.depth == 0.0) continue;
@@ -74,27 +94,23 @@ void main() {
         const float off_plane = abs(other.depth * (along + dot(vec2(step), along_step)) - own_distance) * per_distance;
         // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.
         const vec2 noise = sqrt(variance + light.deviation * light.deviation);
-        const vec2 light_bright = luminances(light.direct, light.indirect);
-        const vec2 apart = abs(light_bright - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
+        const vec2 apart =
+            abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
         const vec2 weight = kernel_weight(step) * alike(facing, unpackSnorm4x8(other.facing)) * falls_off(apart + off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
         sum.deviation += weight * weight * light.deviation * light.deviation;
         weights += weight;
-        // The brighter, the less: a lamp's own surface tells little of others.
-        const vec2 part = 1.0 / (middle.deviation + light_bright + 1e-6);
-        near_direct += part.x * light.direct;
-        near_indirect += part.y * light.indirect;
-        near += part;
-    }
-    // Nobody around shows this surface, and its own light is little known: any surface's is better. Edges of a pixel's width would be black or bright.
-    if (filter_step == 0u && near.x > 0.0) {
-        const bvec2 alone = bvec2(uvec2(lessThan(weights, vec2(own + ALONE))) * uvec2(greaterThan(middle.deviation, 0.5 * bright)));
-        if (alone.x) sum.direct = weights.x / near.x * near_direct;
-        if (alone.y) sum.indirect = weights.y / near.y * near_indirect;
     }
     sum.direct /= weights.x;
     sum.indirect /= weights.y;
+    // Nobody around shows this surface, and its own light is little known: any surface's is better. Edges of a pixel's width would be black or bright.
+    const bvec2 alone = lessThan(weights, vec2(own + ALONE)), unknown = greaterThan(middle.deviation, 0.5 * bright);
+    if (filter_step == 0u && (alone.x && unknown.x || alone.y && unknown.y)) {
+        const Light2 any = light_around(pixel, source, middle);
+        if (alone.x && unknown.x) sum.direct = any.direct;
+        if (alone.y && unknown.y) sum.indirect = any.indirect;
+    }
     sum.deviation = sqrt(sum.deviation) / weights;
     filter_light[target + index] = pack_light(sum);
 }

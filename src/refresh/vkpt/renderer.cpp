@@ -309,6 +309,7 @@ GuideChoice VkptRenderer::guide_of(Guide guide) const {
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     shader::FrameParams params{};
     params.settings = gpu_settings(settings_);
+    params.exposure_part = 1.0f;
     set_camera(params, frame.view, buffers_.size());
     set_scene(params, *scene_, settings_, frame.time_s);
     return params;
@@ -378,6 +379,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
             settings_.pt_jitter == 2 || (settings_.pt_jitter == 1 && accumulating) ? 1u : 0u;
         params.split_column = split_column();
         filter_.describe(params);
+        post_.describe(params, settings_.pt_exposure_speed);
         const std::vector<PictureSide> sides = picture_sides();
         record_picture(commands, sides, params, static_cast<uint32_t>(settings_.pt_spp));
         record_texts(commands, sides);
@@ -501,45 +503,6 @@ void VkptRenderer::present(gpu::FrameCommands& commands, ImDrawData* overlay, bo
     commands.submit(target ? target->acquired : VK_NULL_HANDLE, gpu::Swapchain::wait_stage,
                     target ? target->finished : VK_NULL_HANDLE);
     if (target) swapchain_->present(*target);
-}
-
-refresh::Picture VkptRenderer::read_picture(bool with_overlay) {
-    if (frame_number_ == 0) fail("no frame has been rendered");
-    device_.wait_idle();
-    refresh::Picture picture;
-    picture.width = static_cast<int>(picture_.width());
-    picture.height = static_cast<int>(picture_.height());
-    const uint64_t bytes = uint64_t{4} * picture_.width() * picture_.height();
-    std::vector<std::byte> pixels;
-    if (with_overlay || !scene_) {
-        const gpu::Buffer staging(device_, bytes, gpu::MemoryUse::Readback, "picture readback");
-        gpu::run_now(device_, [&](VkCommandBuffer commands) {
-            VkBufferImageCopy region{};
-            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-            region.imageExtent = {picture_.width(), picture_.height(), 1};
-            vkCmdCopyImageToBuffer(commands, picture_.handle(),
-                                   VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle(), 1,
-                                   &region);
-        });
-        pixels.assign(staging.mapped(), staging.mapped() + bytes);
-    } else {
-        pixels = gpu::download_now(device_, buffers_.display(), 0, bytes);
-    }
-    picture.rgba.resize(bytes);
-    std::memcpy(picture.rgba.data(), pixels.data(), bytes);
-    return picture;
-}
-
-refresh::RadiancePicture VkptRenderer::read_radiance() {
-    if (frame_number_ == 0 || !scene_) fail("no frame of a level has been rendered");
-    device_.wait_idle();
-    refresh::RadiancePicture picture;
-    picture.width = static_cast<int>(buffers_.size().x);
-    picture.height = static_cast<int>(buffers_.size().y);
-    picture.frames = static_cast<int>(accumulated_);
-    picture.rgb = gpu::download_now_as<float>(device_, buffers_.mean_radiance(), 0,
-                                              uint64_t{3} * buffers_.size().x * buffers_.size().y);
-    return picture;
 }
 
 void VkptRenderer::finish_slot(size_t slot) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the renderer reports: the scene, the memory of its guiding, and the octree's leaf under the
-// crosshair with the lights of its cache and its quadtree.
+// What the renderer tells: its pictures, the scene, the memory of its guiding, and the octree's
+// leaf under the crosshair with the lights of its cache and its quadtree.
 #include "common/error.h"
 #include "refresh/vkpt/guiding/cdq_report.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
@@ -11,6 +11,7 @@
 #include "shared/direction_map.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace vigil::vkpt {
 
@@ -119,6 +120,45 @@ refresh::GuidingReport VkptRenderer::report_guiding() const {
         std::ranges::stable_sort(bucket, std::greater{}, &CachedLight::power);
     }
     return report;
+}
+
+refresh::Picture VkptRenderer::read_picture(bool with_overlay) {
+    if (frame_number_ == 0) fail("no frame has been rendered");
+    device_.wait_idle();
+    refresh::Picture picture;
+    picture.width = static_cast<int>(picture_.width());
+    picture.height = static_cast<int>(picture_.height());
+    const uint64_t bytes = uint64_t{4} * picture_.width() * picture_.height();
+    std::vector<std::byte> pixels;
+    if (with_overlay || !scene_) {
+        const gpu::Buffer staging(device_, bytes, gpu::MemoryUse::Readback, "picture readback");
+        gpu::run_now(device_, [&](VkCommandBuffer commands) {
+            VkBufferImageCopy region{};
+            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+            region.imageExtent = {picture_.width(), picture_.height(), 1};
+            vkCmdCopyImageToBuffer(commands, picture_.handle(),
+                                   VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle(), 1,
+                                   &region);
+        });
+        pixels.assign(staging.mapped(), staging.mapped() + bytes);
+    } else {
+        pixels = gpu::download_now(device_, buffers_.display(), 0, bytes);
+    }
+    picture.rgba.resize(bytes);
+    std::memcpy(picture.rgba.data(), pixels.data(), bytes);
+    return picture;
+}
+
+refresh::RadiancePicture VkptRenderer::read_radiance() {
+    if (frame_number_ == 0 || !scene_) fail("no frame of a level has been rendered");
+    device_.wait_idle();
+    refresh::RadiancePicture picture;
+    picture.width = static_cast<int>(buffers_.size().x);
+    picture.height = static_cast<int>(buffers_.size().y);
+    picture.frames = static_cast<int>(accumulated_);
+    picture.rgb = gpu::download_now_as<float>(device_, buffers_.mean_radiance(), 0,
+                                              uint64_t{3} * buffers_.size().x * buffers_.size().y);
+    return picture;
 }
 
 } // namespace vigil::vkpt

@@ -4,8 +4,6 @@
 #include "common/error.h"
 #include "common/log.h"
 
-#include <cmath>
-
 namespace vigil::vkpt {
 
 namespace {
@@ -23,9 +21,6 @@ float halton(uint32_t index, uint32_t base) {
 /// Points in a pixel, one a frame, after which they repeat: as many as temporal anti-aliasing
 /// remembers.
 constexpr uint32_t pixel_points = 16;
-
-/// Between frames, in which eyes get used to light at all.
-constexpr float most_seconds = 1.0f;
 
 glm::uvec2 filter_tiles(glm::uvec2 size) {
     constexpr auto edge = static_cast<uint32_t>(shader::FILTER_TILE);
@@ -85,7 +80,6 @@ bool Filter::follow(const refresh::Settings& settings) {
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
     jitters_ = settings.pt_jitter != 0;
-    exposure_speed_ = settings.pt_exposure_speed;
     if (!wanted || failed_size_ != buffers_.most_traced()) failed_size_.reset();
     const bool on = wanted && !failed_size_;
     if (on == on_ && (!on || size_ == buffers_.most_traced())) return false;
@@ -124,7 +118,6 @@ void Filter::prepare_pipelines() {
 }
 
 void Filter::describe(shader::FrameParams& params) {
-    params.exposure_part = 1.0f;
     if (!on_) {
         has_past_ = false;
         return;
@@ -140,9 +133,6 @@ void Filter::describe(shader::FrameParams& params) {
     params.filter_half = frame_ & 1;
     params.filter_capacity = size_.x * size_.y;
     params.last_size = last_.size;
-    const float passed = params.time_s - last_.time_s;
-    if (has_past_ && exposure_speed_ > 0.0f && passed >= 0.0f && passed < most_seconds)
-        params.exposure_part = 1.0f - std::exp(-exposure_speed_ * passed);
     params.last_pixel_point = last_.pixel_point;
     params.last_camera_origin = last_.camera_origin;
     params.last_camera_forward = last_.camera_forward;

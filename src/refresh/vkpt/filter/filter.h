@@ -58,7 +58,6 @@ private:
     int steps_ = 0;         // over neighbours
     bool on_ = false;
     bool taa_ = false;
-    float exposure_speed_ = 0.0f;
     bool jitters_ = false;                  // then, camera rays move within the pixel
     std::optional<glm::uvec2> failed_size_; // that memory did not suffice for
     bool has_past_ = false;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "refresh/vkpt/post/post.h"
 
+#include "shared/filter_types.h"
 #include "shared/views.h"
+
+#include <cmath>
 
 namespace vigil::vkpt {
 
@@ -19,6 +22,15 @@ void Post::bind() {
     if (!buffers_.scales()) return;
     upscale_set_.bind(BINDING_UPSCALE_TRACED, buffers_.toned());
     upscale_set_.bind(BINDING_UPSCALE_DISPLAY, buffers_.display());
+}
+
+void Post::describe(shader::FrameParams& params, float exposure_speed) {
+    constexpr float most_seconds = 1.0f; // between frames, in which eyes get used to light at all
+    const float passed = params.time_s - last_time_s_;
+    last_time_s_ = params.time_s;
+    if ((params.filter_flags & shader::FILTER_HISTORY) != 0 && exposure_speed > 0.0f &&
+        passed >= 0.0f && passed < most_seconds)
+        params.exposure_part = 1.0f - std::exp(-exposure_speed * passed);
 }
 
 void Post::choose(const PictureSide& side, int view) {

@@ -15,6 +15,8 @@ public:
     /// Follows buffers of another size. The GPU must be idle.
     void bind();
 
+    /// Fills the exposure's part of a frame's parameters, behind the filter's.
+    void describe(shader::FrameParams& params, float exposure_speed);
     /// Has the pipelines made that record() will need for these sides; `view` is pt_view.
     void prepare(std::span<const PictureSide> sides, int view);
     /// Records the passes. Mean and exposure are the whole picture's.
@@ -25,6 +27,7 @@ private:
     void choose(const PictureSide& side, int view);
 
     const FrameBuffers& buffers_;
+    float last_time_s_ = 0.0f;
     gpu::Buffer unused_;
     gpu::DescriptorSet upscale_set_;
     gpu::PipelineLayout upscale_layout_;
