@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `vlc`: the Visibility Light Cache (paper, section 4.2 and algorithm 1). A bucket of the surface's cache is drawn, and in it a light in
-// proportion to its importance. A fraction pt_vlc_explore of the draws looks for lights that no sample has seen lately instead:
-//   - pt_explore_local of it walks the lights of the surface's PVS cluster, as `sll` does. What the cache has already is thrown away, so
-//     that no light needs the probabilities of two walks. Where such walks find much that the cache lacks (more lights than a leaf has
-//     samples for), more of the draws are walks (pt_vlc_adapt, ExploreMemory);
-//   - the rest takes any light of the level from a table weighted anew each frame (paper, section 4.3).
+// proportion to its importance. With the probability pt_vlc_explore a second draw looks for lights that no sample has seen lately:
+//   - pt_explore_local of these walk the lights of the surface's PVS cluster, as `sll` does. Where such walks find much that the cache lacks (more
+//     lights than a leaf has samples for), more of them are made (pt_vlc_adapt, ExploreMemory);
+//   - the others take any light of the level from a table weighted anew each frame (paper, section 4.3).
+// What the cache has already is thrown away: no light needs the probabilities of two walks, and what the cache draws well has no noise of exploration.
+// With pt_vlc_beside 0 these draws take the place of others, as in the paper, and the table draws the cache's lights, too.
 // Every draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
 // nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability.
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.
@@ -15,6 +16,7 @@
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
 #define STORES_LIGHT_SAMPLES 1
+#define DRAWS_BESIDE 1
 
 uint bucket_size() { return uint(frame.settings.pt_vlc_bucket); }
 
@@ -59,14 +61,14 @@ bool may_shine(LightCache cache, LtcSurface prepared) {
     return false;
 }
 
-/// Shares of all draws.
+/// How many draws of each kind are made on average.
 struct Shares {
-    float cache;
+    float cache; // at most 1
     float list;
     float table;
 };
 
-/// Share of the draws that should walk lists, by what they found lately.
+/// Draws that should walk lists, by what they found lately.
 float wanted_walks(uint leaf) {
     if (frame.settings.pt_vlc_adapt == 0) return 0.0;
     const uint words = leaf_word(LEAF_EXPLORE, leaf);
@@ -76,11 +78,16 @@ float wanted_walks(uint leaf) {
 Shares technique_shares(bool shines, uint leaf, LightList list) {
     const float explore = shines ? frame.settings.pt_vlc_explore : 1.0;
     const float local = alias_count == 0u ? 1.0 : frame.settings.pt_explore_local;
-    if (list.count == 0u || local == 0.0) return Shares(1.0 - explore, 0.0, explore);
-    const float table = explore * (1.0 - local);
-    float by_list = explore * local;
-    if (shines) by_list = max(by_list, (1.0 - table) * wanted_walks(leaf));
-    return Shares(explore < 1.0 ? 1.0 - table - by_list : 0.0, by_list, table);
+    const bool beside = shines && frame.settings.pt_vlc_beside != 0;
+    Shares shares = Shares(0.0, 0.0, explore);
+    if (list.count > 0u && local > 0.0) {
+        shares.table = explore * (1.0 - local);
+        shares.list = explore * local;
+        if (shines) shares.list = max(shares.list, (1.0 - shares.table) * wanted_walks(leaf));
+    }
+    if (beside) shares.cache = 1.0;
+    else if (explore < 1.0) shares.cache = 1.0 - shares.table - shares.list;
+    return shares;
 }
 
 /// Everything that the draws of a surface have in common.
@@ -137,21 +144,24 @@ Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
     return list_candidates(search, place == NONE ? search.list.count : place % search.list_stride);
 }
 
-/// Probability of a light in the mixture, after the one walk that can meet it.
+/// Probability that a light is drawn, after the one walk that can meet it. Beside the cache, the table does not draw the lights that it has.
 float mixture_probability(LightSearch search, bool cached, CandidateWalk walk) {
     const float walks = cached ? search.shares.cache / float(search.cache.buckets) : search.shares.list / float(search.list_stride);
-    return search.shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
+    const float table = cached && search.shares.cache == 1.0 ? 0.0 : search.shares.table * alias_probability(walk.light);
+    return table + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 
-LightChoice choose_light(Surface surface, inout Random random) {
+LightChoice draw_light(Surface surface, bool beside, inout Random random) {
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     const LightSearch search = prepare_search(surface, found.cache);
     const vec3 u = random_next3(random);
     const uvec2 bits = random_next_bits(random);
 
     // What to walk past.
-    const bool from_cache = u.x < search.shares.cache;
-    const bool from_list = !from_cache && u.x < search.shares.cache + search.shares.list;
+    const Shares shares = search.shares;
+    const float kind = beside ? u.x * (shares.list + shares.table) : u.x - shares.cache; // below 0: the cache
+    const bool from_cache = kind < 0.0;
+    const bool from_list = !from_cache && kind < shares.list;
     uint tabled = NONE;
     bool cached = from_cache;
     Candidates candidates;
@@ -168,6 +178,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     const CandidateWalk walk = walk_candidates(candidates, tabled, u.z);
 
     LightChoice choice = weighted_choice(walk.light, 0.0);
+    choice.beside = shares.cache == 1.0 ? shares.list + shares.table : 0.0;
     choice.explored = !from_cache;
     choice.memory = uvec2(found.samples, from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED);
     if (from_list) {
@@ -180,8 +191,8 @@ LightChoice choose_light(Surface surface, inout Random random) {
     }
     if (choice.light == NONE) return choice;
     const float probability = mixture_probability(search, cached, walk);
-    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it.
-    if (probability > 0.0) choice.weight = 1.0 / probability;
+    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it; or only another draw is to bring it.
+    if (probability > 0.0 && !(beside && cached)) choice.weight = 1.0 / probability;
     else choice.light = NONE;
     return choice;
 }

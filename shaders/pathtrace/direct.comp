@@ -13,7 +13,7 @@ void main() {
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return;
     Random random = path_random(pixel, STREAM_DIRECT);
-    const DirectLight light = next_event_estimate(load_primary_surface(hit), frame.settings.pt_bounces > 0, random);
+    const DirectLight light = next_event_estimate(load_primary_surface(hit), 0u, frame.settings.pt_bounces > 0, random);
     const uint flags = (light.radiance == vec3(0.0) ? PRIMARY_HIT_UNLIT : 0u) | (light.explored ? PRIMARY_HIT_EXPLORED : 0u);
     primary_hits[index].flags |= flags;
     add_radiance(index, light.radiance, false);

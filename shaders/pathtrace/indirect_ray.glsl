@@ -93,9 +93,9 @@ struct RayEnd {
     Surface surface;
 };
 
-/// Sees what is there, and, if `light` is true, samples the lights there; `ray_follows` is whether another ray is sent from there. `surface` is
+/// Sees what is there, and, if `light` is true, samples the lights there, as vertex `vertex_number` of the path; `ray_follows` is whether another ray is sent from there. `surface` is
 /// where the ray starts, and `brdf_pdf` the density of its direction by the BRDF.
-RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, bool ray_follows, inout Random random) {
+RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, uint vertex_number, bool ray_follows, inout Random random) {
     RayEnd end;
     end.brought = vec3(0.0);
     end.taught = vec3(0.0);
@@ -110,7 +110,7 @@ RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, bool ray
     end.goes_on = true;
     end.surface = vertex.surface;
     if (LIGHTS_FOUND_BY_RAYS == 0 && HAS_LIGHTS) {
-        const DirectLight direct = next_event_estimate(end.surface, ray_follows, random);
+        const DirectLight direct = next_event_estimate(end.surface, vertex_number, ray_follows, random);
         end.brought += direct.radiance;
         end.light = direct.light;
         end.taught = end.brought;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Next event estimation: one light chosen by the technique, one point on it, one shadow ray.
+// Next event estimation: a light chosen by the technique, one point on it, one shadow ray; and a second one where the technique asks for it.
 #ifndef VIGIL_PATHTRACE_NEXT_EVENT_GLSL
 #define VIGIL_PATHTRACE_NEXT_EVENT_GLSL
 
@@ -9,11 +9,11 @@
 #include "pathtrace/environment.glsl"
 #include "shared/light_point.h"
 
-/// What one light sample adds to a surface.
+/// What light samples add to a surface.
 struct DirectLight {
     vec3 radiance; // towards the viewer: an unbiased estimate of that of all the technique's lights
     bool explored; // see LightChoice
-    uint light;    // that was drawn, or NONE
+    uint light;    // that the first of them drew, or NONE
 };
 
 /// A point on a light, and what it contributes unless something is in between.
@@ -89,15 +89,34 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bo
     return value;
 }
 
-DirectLight next_event_estimate(Surface surface, bool ray_follows, inout Random random) {
-    const LightChoice choice = choose_light(surface, random);
-    const vec3 u = random_next3(random);
-    const uint seed = random_next_words(random).x;
-    uint outcome;
-    const vec3 value = sampled_radiance(surface, choice, u, seed, ray_follows, outcome);
-    // One path per pixel teaches: what is stored is bounded by the resolution.
-    if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
-    return DirectLight(value, choice.explored, choice.light);
+/// A number in [0, 1) that the invocations of a tile, a subgroup of most devices, have in common, for each of a path's vertices (0 is the
+/// primary hit) another: what only some do is done by whole tiles, so that no lane waits for its neighbour.
+float tile_number(uint vertex) {
+    // A stream that no pixel has.
+    Random random = path_random(uvec2(0x10000u, 0u) + gl_GlobalInvocationID.xy / uvec2(8u, 4u), STREAM_DIRECT);
+    random.dimension = vertex;
+    return random_next(random);
+}
+
+/// `vertex` counts the path's vertices.
+DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, inout Random random) {
+    DirectLight direct = DirectLight(vec3(0.0), false, NONE);
+    bool beside = false;
+    // One turn for each draw: what a technique inlines is long.
+    while (true) {
+        const LightChoice choice = draw_light(surface, beside, random);
+        const vec3 u = random_next3(random);
+        const uint seed = random_next_words(random).x;
+        uint outcome;
+        direct.radiance += sampled_radiance(surface, choice, u, seed, ray_follows, outcome);
+        direct.explored = direct.explored || choice.explored;
+        if (!beside) direct.light = choice.light;
+        // One path per pixel teaches: what is stored is bounded by the resolution.
+        if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
+        if (DRAWS_BESIDE == 0 || beside || !(tile_number(vertex) < choice.beside)) break;
+        beside = true;
+    }
+    return direct;
 }
 
 #endif

@@ -90,6 +90,8 @@
         "vlc: most lights weighted per hit; caches with more have several buckets") \
     GPU_REAL(pt_vlc_explore, Session, Reference, 0.05, 0.0, 1.0, \
         "vlc: share of light samples that look for lights not in the cache; 0: none do, and lights that no cache has are missing") \
+    GPU_INTEGER(pt_vlc_beside, Session, Reference, 1, 0, 1, \
+        "vlc: 1: light samples that look for lights are made beside those from the cache; 0: in their place, as the paper") \
     GPU_INTEGER(pt_vlc_adapt, Session, Reference, 1, 0, 1, \
         "vlc: 1: where looking for lights finds much that a cache lacks, a larger share of samples does; 0: the same everywhere, as the paper") \
     REAL(pt_vlc_hysteresis, Session, Reference, 0.75, 0.0, 1.0, \

@@ -18,6 +18,7 @@ constexpr Departure departures[] = {
     {"pt_light_points", "1"},     // section 7: plain area sampling
     {"pt_light_density", "area"}, // the same
     {"pt_vlc_explore", "0.1"},    // section 7
+    {"pt_vlc_beside", "0"},       // algorithm 1: exploring samples take the place of others
     {"pt_vlc_adapt", "0"},        // section 8: a fixed fraction
     {"pt_vlc_persist", "0"},      // section 4.1: caches of one frame
     {"pt_explore_local", "0"},    // section 4.3: one distribution for all places

@@ -4,6 +4,7 @@
 #include "light/statistics.h"
 
 #include <algorithm>
+#include <bit>
 #include <fmt/format.h>
 
 namespace vigil::test {
@@ -60,7 +61,7 @@ LightAnswers ask_lights(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer,
     run_at_pixels(pass, renderer, draws_per_pixel, {1, 1});
     answers.answers = pass.read<LightAnswer>(0, pixels * (answers.lights + 1));
     answers.errors = pass.read<float>(2, 1 + pixels);
-    answers.exact = answers.errors[0] != 0.0f; // any bit
+    answers.draws = std::bit_cast<uint32_t>(answers.errors[0]);
     answers.errors.erase(answers.errors.begin());
     answers.hits = gpu::download_now_as<shader::PrimaryHit>(
         renderer.device(), renderer.buffers().primary_hits(), 0, pixels);

@@ -21,7 +21,9 @@ struct LightAnswer {
 
 struct LightAnswers {
     size_t lights = 0;
-    bool exact = false;               // whether probabilities are
+    // Draws that each light may come from: each is tried by as large a part of all. 0: probabilities
+    // are not exact.
+    uint32_t draws = 0;
     std::vector<LightAnswer> answers; // rows of lights + 1; the last one stands for "no light"
     // By pixel: largest relative difference between the probability that came with a draw and the
     // claimed one.
@@ -32,7 +34,7 @@ struct LightAnswers {
         return std::span(answers).subspan(pixel * (lights + 1), lights + 1);
     }
     bool has_surface(size_t pixel) const { return hits[pixel].primitive != shader::NONE; }
-    /// Sum of the claimed probabilities of all lights.
+    /// Sum of the claimed probabilities of all lights, at most 1 for each draw.
     double sum(size_t pixel) const;
 };
 

@@ -3,7 +3,8 @@
 // What a light-sampling technique claims and what it does, at the primary hits of the frame that was rendered last. Compiled once per
 // technique; the host (light_technique_test.cpp) does the statistics. What `path_index` selects:
 //   0 probabilities   of every light, as the technique tells them; path_count lights per invocation, along z
-//   1 draws           how often each light is drawn; one draw per invocation, along z, as the path tracer does it. After 0
+//   1 draws           how often each light is drawn; one draw per invocation, along z, as the path tracer does it; of a technique
+//                     that draws beside, either the first or the second. After 0
 //   2 sampled         radiance by next event estimation: a mean of path_count draws per pixel; independent ones along z
 //   3 reference       the same without a choice: the sum over all lights of the level, a point on each; path_count of them per
 //                     invocation, parts of one sum after each other along z
@@ -21,10 +22,10 @@ struct Answer {
 layout(set = 3, binding = 0, scalar) restrict buffer AnswerBlock { Answer answers[]; };
 // Radiance by (z, pixel).
 layout(set = 3, binding = 1, scalar) restrict writeonly buffer RadianceOutBlock { vec3 means[]; };
-// Whether probabilities are exact; then, by pixel, the largest relative difference between 1 / weight of a draw and the probability
+// Draws that each light may come from, or 0 if probabilities are not exact; then, by pixel, the largest relative difference between 1 / weight of a draw and the probability
 // that was told for its light, as bits.
 layout(set = 3, binding = 2, scalar) restrict buffer FactBlock {
-    uint is_exact;
+    uint exact_draws;
     uint errors[];
 };
 
@@ -32,7 +33,7 @@ layout(set = 3, binding = 2, scalar) restrict buffer FactBlock {
 const uint STREAMS_APART = 1000000u;
 
 void ask_probabilities(Surface surface, uint row) {
-    is_exact = PROBABILITY_IS_EXACT;
+    exact_draws = PROBABILITY_IS_EXACT * (1u + DRAWS_BESIDE);
     const uint first = gl_GlobalInvocationID.z * path_count;
     for (uint light = first; light < min(first + path_count, frame.light_count); ++light)
         answers[row + light].probability = light_probability(surface, light);
@@ -59,17 +60,24 @@ void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
         end = min(first + path_count, frame.light_count);
     }
     vec3 sum = vec3(0.0);
-    for (uint i = first; i < end; ++i) {
+    const bool counts_second = DRAWS_BESIDE != 0 && counts && random_next(random) < 0.5;
+    bool beside = false;
+    for (uint i = first; i < end;) {
         LightChoice choice = weighted_choice(i, 1.0);
-        if (chooses) choice = choose_light(surface, random);
-        if (counts) {
+        if (chooses) choice = draw_light(surface, beside, random);
+        const bool again = DRAWS_BESIDE != 0 && chooses && !beside && random_next(random) < choice.beside;
+        if (!counts) {
+            const vec3 u = random_next3(random);
+            const uint seed = random_next_words(random).x;
+            uint outcome;
+            sum += sampled_radiance(surface, choice, u, seed, false, outcome);
+        } else if (beside == counts_second || !again) {
+            if (beside != counts_second) choice.light = NONE;
             count_draw(choice, index, row);
-            continue;
+            return;
         }
-        const vec3 u = random_next3(random);
-        const uint seed = random_next_words(random).x;
-        uint outcome;
-        sum += sampled_radiance(surface, choice, u, seed, false, outcome);
+        beside = again;
+        if (!again) ++i;
     }
     if (!counts) means[gl_GlobalInvocationID.z * frame.size.x * frame.size.y + index] = chooses ? sum / float(path_count) : sum;
 }

@@ -25,12 +25,12 @@ const TechniqueSettings known[] = {
      {8, 1, 1.0, true}},
     {"lh", "Default", {}, {}},
     {"lh", "ThreeWide", {{"pt_lh_width", "3"}, {"pt_lh_leaf", "1"}}, {}, true, 0.3},
-    // A walk through a cluster's list throws away what the cache has.
+    // What looks for lights throws away those that the cache has.
     {"vlc", "Default", {}, {}},
     {"vlc", "FourAtMost", {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0.5"}}, {}, true, 0.2},
     {"vlc",
      "FourAtMostWithoutLists",
-     {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0"}, {"pt_vlc_explore", "0.5"}},
+     {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0"}, {"pt_vlc_explore", "0.5"}, {"pt_vlc_beside", "0"}},
      {1, 16, 0.5},
      false},
     {"uniform", "Default", {}, {all_lights, 1, 1.0}, true, 0.3},
