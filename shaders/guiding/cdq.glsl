@@ -69,9 +69,8 @@ uint find_node(uvec2 grid) {
 void accumulate(uint leaf, uint rays, uint most) {
     const uint first = old_leaves[leaf_word(LEAF_STORAGE, leaf)];
     const uint count = min(rays, most);
-    const uint stride = rays / count;
     for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
-        const uint ray = ray_samples[first + i * stride];
+        const uint ray = ray_samples[first + spread_place(i, rays, count)];
         const float contribution = ray_sample_contribution(ray);
         const uint node = find_node(ray_sample_grid(ray));
         for (;;) {

@@ -50,10 +50,9 @@ bool guide_border(Guide guide, vec2 uv, float edge) { return false; }
 void guide_learn(uint leaf, uint own_rays) {
     const uint first = old_leaves[leaf_word(LEAF_STORAGE, leaf)];
     const uint count = min(own_rays, CDQ_MOST_RAYS);
-    const uint stride = own_rays / count;
     vec4 sums = vec4(0.0);
     for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
-        const uint ray = ray_samples[first + i * stride];
+        const uint ray = ray_samples[first + spread_place(i, own_rays, count)];
         const float contribution = ray_sample_contribution(ray);
         const vec2 uv = (vec2(ray_sample_grid(ray)) + 0.5) / float(1u << CDQ_MAX_DEPTH);
         sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);

@@ -7,40 +7,28 @@
 #include "guiding/light_table.glsl"
 
 shared uint found;
-// Sums of this lane's draws.
-shared float listed[LANES], known[LANES], newly_found[LANES];
-shared uint drawn, seen;
+// Of this lane's draws: how many walked lists and how many buckets, and the sums of their squared estimates.
+shared vec4 draws[LANES];
 
 void count_draw(uint light_sample) {
-    const uint lane = gl_LocalInvocationID.x;
-    const bool visible = (light_sample & LIGHT_SAMPLE_VISIBLE) != 0u;
-    const float estimate = light_sample_estimate(light_sample);
+    const float estimate = (light_sample & LIGHT_SAMPLE_VISIBLE) != 0u ? light_sample_estimate(light_sample) : 0.0;
+    const vec2 draw = vec2(1.0, estimate * estimate);
     switch (light_sample & LIGHT_SAMPLE_DRAWN) {
-    case LIGHT_SAMPLE_CACHED:
-        atomicAdd(drawn, 1u);
-        if (visible) atomicAdd(seen, 1u);
-        break;
     case LIGHT_SAMPLE_LISTED:
-        listed[lane] += 1.0;
-        if (visible) newly_found[lane] += estimate * estimate;
+        draws[gl_LocalInvocationID.x].xy += draw;
         break;
-    case LIGHT_SAMPLE_KNOWN:
-        listed[lane] += 1.0;
-        known[lane] += estimate;
+    case LIGHT_SAMPLE_CACHED:
+        draws[gl_LocalInvocationID.x].zw += draw;
         break;
     }
 }
 
 void remember_draws(uint leaf) {
-    float sums[3] = float[](0.0, 0.0, 0.0);
-    for (uint i = 0u; i < LANES; ++i) {
-        sums[0] += listed[i];
-        sums[1] += known[i];
-        sums[2] += newly_found[i];
-    }
+    vec4 sums = vec4(0.0);
+    for (uint i = 0u; i < LANES; ++i) sums += draws[i];
     const uint memory = leaf_word(LEAF_EXPLORE, leaf);
     const uvec2 words = explore_pack(
-        explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])), sums[0], sums[1], sums[2], drawn, seen));
+        explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])), sums.x, sums.y, sums.z, sums.w));
     old_leaves[memory] = words.x;
     old_leaves[memory + 1u] = words.y;
 }
@@ -52,15 +40,14 @@ void main() {
     const uint first = old_leaves[storage];
     const uint kept = min(old_leaf_count(leaf), old_leaves[storage + 1u]);
     const uint processed = min(kept, VLC_MOST_SAMPLES);
-    const uint stride = kept / max(processed, 1u);
     const uint buckets = table_bucket_count(processed);
 
     table_clear(buckets);
-    if (lane == 0u) found = drawn = seen = 0u;
-    listed[lane] = known[lane] = newly_found[lane] = 0.0;
+    if (lane == 0u) found = 0u;
+    draws[lane] = vec4(0.0);
     barrier();
     for (uint i = lane; i < processed; i += LANES) {
-        const uint light_sample = light_samples[first + i * stride];
+        const uint light_sample = light_samples[first + spread_place(i, kept, processed)];
         count_draw(light_sample);
         if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) table_insert(buckets, light_sample & LIGHT_SAMPLE_ID_MASK, 0u);
     }

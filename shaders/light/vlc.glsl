@@ -61,6 +61,9 @@ bool may_shine(LightCache cache, LtcSurface prepared) {
     return false;
 }
 
+/// Root of the time of a frame over that of a draw beside the cache's in all its pixels (about 10 / 4).
+const float BESIDE_FACTOR = 1.5;
+
 /// How many draws of each kind are made on average.
 struct Shares {
     float cache; // at most 1
@@ -68,11 +71,14 @@ struct Shares {
     float table;
 };
 
-/// Draws that should walk lists, by what they found lately.
-float wanted_walks(uint leaf) {
+/// Draws that should walk lists, by what they found lately. Those made in place of others get the share a that ExploreMemory stores. Beside others,
+/// walks in a part b of the pixels bring the second moment M / b and take the time b x, where all else has C^2 / s and takes t; the product of the
+/// sums is least for b = sqrt(M s) / C * sqrt(t / x), of which the first factor is a / (1 - a).
+float wanted_walks(uint leaf, bool beside) {
     if (frame.settings.pt_vlc_adapt == 0) return 0.0;
     const uint words = leaf_word(LEAF_EXPLORE, leaf);
-    return explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
+    const float share = explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
+    return beside ? min(BESIDE_FACTOR * share / (1.0 - share), 1.0) : share;
 }
 
 Shares technique_shares(bool shines, uint leaf, LightList list) {
@@ -83,7 +89,7 @@ Shares technique_shares(bool shines, uint leaf, LightList list) {
     if (list.count > 0u && local > 0.0) {
         shares.table = explore * (1.0 - local);
         shares.list = explore * local;
-        if (shines) shares.list = max(shares.list, (1.0 - shares.table) * wanted_walks(leaf));
+        if (shines) shares.list = max(shares.list, (1.0 - shares.table) * wanted_walks(leaf, beside));
     }
     if (beside) shares.cache = 1.0;
     else if (explore < 1.0) shares.cache = 1.0 - shares.table - shares.list;
@@ -111,10 +117,11 @@ LightSearch prepare_search(Surface surface, uint leaf) {
     return search;
 }
 
-/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list.
+/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing.
 struct Candidates {
     uint first, end, stride; // in vlc_lights, or in the list
     bool from_cache;
+    LightCache cache;
     LightList list;
     LtcSurface prepared;
 };
@@ -125,16 +132,19 @@ uint candidate_light(Candidates candidates, uint i) {
     return entry == NONE ? NONE : entry & VLC_ID_MASK;
 }
 
-float candidate_weight(Candidates candidates, uint light) { return light_importance(candidates.prepared, light); }
+float candidate_weight(Candidates candidates, uint light) {
+    if (!candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
+    return light_importance(candidates.prepared, light);
+}
 
 #include "light/candidate_walk.glsl"
 
 Candidates bucket_candidates(LightSearch search, uint first) {
-    return Candidates(first, first + bucket_size(), 1u, true, search.list, search.prepared);
+    return Candidates(first, first + bucket_size(), 1u, true, search.cache, search.list, search.prepared);
 }
 
 Candidates list_candidates(LightSearch search, uint start) {
-    return Candidates(start, search.list.count, search.list_stride, false, search.list, search.prepared);
+    return Candidates(start, search.list.count, search.list_stride, false, search.cache, search.list, search.prepared);
 }
 
 /// The one walk that can meet a light. A light that is in neither cache nor list has none: only the table draws it.
@@ -180,15 +190,9 @@ LightChoice draw_light(Surface surface, bool beside, inout Random random) {
     LightChoice choice = weighted_choice(walk.light, 0.0);
     choice.beside = shares.cache == 1.0 ? shares.list + shares.table : 0.0;
     choice.explored = !from_cache;
-    choice.memory = uvec2(found.samples, from_cache ? LIGHT_SAMPLE_CACHED : LIGHT_SAMPLE_TABLED);
-    if (from_list) {
-        choice.memory.y = LIGHT_SAMPLE_LISTED | light_sample_pack_estimate(finite_or_zero(walk.sum * float(search.list_stride)));
-        // The cache draws this light, and better.
-        if (choice.light != NONE && is_cached(search.cache, choice.light)) {
-            choice.light = NONE;
-            choice.memory.y |= LIGHT_SAMPLE_KNOWN;
-        }
-    }
+    choice.memory = uvec2(found.samples, from_cache ? LIGHT_SAMPLE_CACHED : from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
+    const float walks = float(from_cache ? search.cache.buckets : search.list_stride);
+    choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
     if (choice.light == NONE) return choice;
     const float probability = mixture_probability(search, cached, walk);
     // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it; or only another draw is to bring it.

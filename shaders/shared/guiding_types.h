@@ -72,14 +72,13 @@ SHADER_FN uint leaf_array_word(LeafArray array, uint leaf, uint node_capacity) {
 /// The array after the table's: what a guider remembers beyond LEAF_GUIDE.
 SHADER_FN LeafArray guide_memory(uint words) { return LeafArray(LEAF_WORDS, words); }
 
-/// A light sample: light id, how it was drawn, the estimate that a draw from a list is (a power of two), and one
-/// bit if the surface saw the light.
+/// A light sample: light id, how it was drawn, what a draw of a walk estimates (a power of two), and one bit if the
+/// surface saw the light.
 SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
-SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u;  // one of the next four
+SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u;  // one of the next three
 SHADER_CONST uint LIGHT_SAMPLE_CACHED = 0u;          // from the cache
 SHADER_CONST uint LIGHT_SAMPLE_TABLED = 0x20000000u; // from the table of all lights
 SHADER_CONST uint LIGHT_SAMPLE_LISTED = 0x40000000u; // from the list of the surface's cluster
-SHADER_CONST uint LIGHT_SAMPLE_KNOWN = 0x60000000u;  // the same, but thrown away: the cache has it
 SHADER_CONST uint LIGHT_SAMPLE_ESTIMATE_SHIFT = 22u;
 SHADER_CONST uint LIGHT_SAMPLE_ID_MASK = 0x003fffffu;
 /// What is stored when there was no light to sample, or one with a larger id, which no cache learns.
@@ -102,19 +101,17 @@ SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
 SHADER_CONST uint VLC_AGE_SHIFT = 27u;
 SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
 
-/// What a leaf's draws from lists estimated, in running sums over its last hundred or so, and what follows
-/// from it: `share` of all draws should be from lists.
+/// What a leaf's draws estimated, from lists in running sums over the last hundred or so, and what follows from it: `share` of all
+/// draws should be from lists.
 ///
-/// A draw estimates the importance of the whole list: that of the light drawn, over its
-/// probability. The estimates' mean over draws of lights in the cache is what those shine, C / s, if a part s of
-/// them is seen; over draws of other lights that were seen their mean square is the second moment M that
-/// they have when lists alone are drawn from. If lists get a part a of the draws, light of the
-/// cache has the second moment C^2 / ((1 - a) s), the others' is M / a, and the sum is least for a / (1 - a)
-/// = sqrt(M s) / C.
+/// A draw estimates the importance of all that its walks can meet, lights of the cache or the others: that of the light
+/// drawn, over its probability, or 0 if the light is hidden. The estimates' mean squares are the second moments K and M that the two
+/// kinds have if nothing else is drawn. If lists get a part a of the draws, they are K / (1 - a) and M / a, and
+/// their sum is least for a / (1 - a) = sqrt(M / K).
 struct ExploreMemory {
     float listed; // draws from lists
-    float known;  // sum of the estimates by those in the cache
-    float found;  // sum of squares of the estimates by the others that were seen
+    float found;  // sum of the squares of their estimates
+    float cached; // mean square of the estimates of draws from the cache: K
     float share;  // at most EXPLORE_MOST
 };
 SHADER_CONST float EXPLORE_DRAWS = 48.0f;
@@ -123,8 +120,8 @@ SHADER_CONST float EXPLORE_MOST = 0.9f;
 SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
     ExploreMemory memory;
     memory.listed = unpack_sum(words.x, 0u);
-    memory.known = unpack_sum(words.x, 1u);
-    memory.found = unpack_sum(words.y, 0u);
+    memory.found = unpack_sum(words.x, 1u);
+    memory.cached = unpack_sum(words.y, 0u);
     memory.share = unpack_sum(words.y, 1u);
     return memory;
 }
@@ -134,22 +131,23 @@ SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
 SHADER_CONST float EXPLORE_LARGEST_SUM = 1e37f;
 
 SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
-    return uvec2(pack_sums(memory.listed, memory.known), pack_sums(memory.found, memory.share));
+    return uvec2(pack_sums(memory.listed, memory.found), pack_sums(memory.cached, memory.share));
 }
 
-/// The memory after a frame with these sums of its own, and with `drawn` draws from the cache of which the
-/// surface saw `seen`. A frame in which no draw met a light of the cache had none, so it does not tell what
-/// a cache lacks: what it found is in the next one.
-SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float known, float found, uint drawn, uint seen) {
-    if (drawn == 0u && !(known > 0.0f)) return memory;
+/// The memory after a frame with so many draws from lists and from the cache, and the sums of the squares of their
+/// estimates. A frame in which nothing was drawn from the cache had none, so it does not tell what a cache lacks: what it found is in
+/// the next one.
+SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float found, float drawn, float squares) {
+    if (!(drawn > 0.0f)) return memory;
     // Many new draws leave little of the old: an empty cache is full a frame later.
     const float kept = max(1.0f - listed / EXPLORE_DRAWS, 0.0f);
     memory.listed = kept * memory.listed + listed;
-    memory.known = min(kept * memory.known + known, EXPLORE_LARGEST_SUM);
     memory.found = min(kept * memory.found + found, EXPLORE_LARGEST_SUM);
-    const float seen_share = float(seen + 1u) / float(drawn + 1u); // 1 where nothing was drawn
-    const float odds = sqrt(memory.found) * sqrt(memory.listed / seen_share);
-    memory.share = odds > 0.0f ? min(odds / (odds + memory.known), EXPLORE_MOST) : 0.0f;
+    const float fresh = memory.cached > 0.0f ? min(drawn / EXPLORE_DRAWS, 1.0f) : 1.0f;
+    memory.cached = mix(memory.cached, min(squares, EXPLORE_LARGEST_SUM) / drawn, fresh);
+    const float odds = sqrt(memory.found);
+    const float others = sqrt(memory.listed) * sqrt(memory.cached);
+    memory.share = odds > 0.0f ? min(odds / (odds + others), EXPLORE_MOST) : 0.0f;
     return memory;
 }
 
@@ -185,6 +183,9 @@ SHADER_CONST uint VLC_TABLE_SIZE = 1024u;
 SHADER_CONST uint VLC_TABLE_MOST_BUCKETS = 256u;
 /// Largest bucket (pt_vlc_bucket).
 SHADER_CONST uint VLC_LARGEST_BUCKET = 64u;
+
+/// Place of number `i` of `taken` samples, spread evenly over `kept`: floor(i * kept / taken). 0 < taken <= kept, i < taken < 65536.
+SHADER_FN uint spread_place(uint i, uint kept, uint taken) { return i * (kept / taken) + i * (kept % taken) / taken; }
 
 /// Push constants of all passes.
 struct GuidingSettings {

@@ -32,10 +32,9 @@ double squared_contribution(uint32_t ray) {
 
 /// What the pass takes of stored rays.
 std::vector<uint32_t> taken_rays(std::span<const uint32_t> rays, uint32_t most) {
-    const Stride stride = sample_stride(rays.size(), most);
     std::vector<uint32_t> taken;
-    for (size_t i = 0; i < stride.processed; ++i)
-        taken.push_back(rays[i * stride.step]);
+    for (const size_t place : sample_places(rays.size(), most))
+        taken.push_back(rays[place]);
     return taken;
 }
 

@@ -233,16 +233,19 @@ TEST_F(VlcOracle, TableSizesAreTheDefinitions) {
 }
 
 TEST_F(VlcOracle, ManySamplesArePassedOverEvenly) {
-    EXPECT_EQ(sample_stride(4000, 4000).step, 1u);
-    EXPECT_EQ(sample_stride(7999, 4000).step, 1u);
-    EXPECT_EQ(sample_stride(12345, 4000).step, 3u);
+    EXPECT_EQ(sample_places(3, 4), (std::vector<size_t>{0, 1, 2}));
+    EXPECT_EQ(sample_places(7, 4), (std::vector<size_t>{0, 1, 3, 5}));
+    EXPECT_EQ(sample_places(12345, 4000).back(), 12341u);
+    for (const uint kept : {4096u, 4097u, 10000u, 0xffffffffu})
+        for (const uint i : {0u, 1u, 4095u})
+            EXPECT_EQ(shader::spread_place(i, kept, 4096), size_t{i} * kept / 4096);
     constexpr uint32_t most = shader::VLC_MOST_SAMPLES;
     std::vector<uint32_t> samples(2 * most + most / 2, shader::LIGHT_SAMPLE_NONE);
     samples[0] = visible | 1;
     samples[1] = visible | 2; // passed over
     samples[2 * most - 2] = visible | 3;
-    samples[2 * most] = visible | 4; // beyond the last
-    EXPECT_EQ(cache(samples, {}, plenty).own, (Lights{1, 3}));
+    samples[samples.size() - 3] = visible | 4; // the last one taken
+    EXPECT_EQ(cache(samples, {}, plenty).own, (Lights{1, 3, 4}));
 }
 
 TEST_F(VlcOracle, LightsThatWereNotSeenGrowOlder) {

@@ -102,8 +102,8 @@ InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep) {
 
 uint32_t random_light_sample(Dice& dice, const RandomLights& lights, uint32_t first,
                              uint32_t different) {
-    // Drawn in one of four ways, with a power of two that matters to two of them.
-    const uint32_t drawn = dice.below(4) << 29 | (40 + dice.below(50)) << 22;
+    // Drawn in one of three ways, with a power of two that matters to two of them.
+    const uint32_t drawn = dice.below(3) << 29 | (40 + dice.below(50)) << 22;
     if (dice.chance(0.05)) return shader::LIGHT_SAMPLE_NONE | drawn;
     // Some lights are never seen, others always.
     const uint32_t which = dice.below(different);
@@ -152,7 +152,7 @@ TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights
             state.samples[leaf.first_sample + i] =
                 random_light_sample(dice, lights, first, different);
 
-        for (double Explored::*sum : {&Explored::listed, &Explored::known, &Explored::found})
+        for (double Explored::*sum : {&Explored::listed, &Explored::found, &Explored::cached})
             leaf.explored.*sum =
                 dice.chance(0.2)
                     ? 0.0

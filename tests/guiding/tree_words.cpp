@@ -179,8 +179,8 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         words.at(LEAF_CACHED, number) = static_cast<uint32_t>(leaf.cached.size());
         words.at(LEAF_SOURCE, number) = leaf.inherited ? SOURCE_SPLIT : 0;
         const Explored& explored = leaf.explored;
-        words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.known);
-        words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.found, explored.share);
+        words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.found);
+        words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.cached, explored.share);
         if (!state.rays.empty()) {
             words.at(LEAF_RAYS, number) = leaf.rays;
             const glm::uvec4 field = field_of(leaf.quadtree);
@@ -280,10 +280,10 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
             found.add(fmt::format("{}: visible lights: expected {}, seen {}", where,
                                   cache.own.size(), visible));
 
-        // Draws from lists: floats of two bytes, whose error the share shares.
+        // What draws were worth: floats of two bytes, whose error the share shares.
         const Explored explored = explored_at(seen_old, number);
         for (double Explored::*value :
-             {&Explored::listed, &Explored::known, &Explored::found, &Explored::share})
+             {&Explored::listed, &Explored::found, &Explored::cached, &Explored::share})
             if (std::abs(explored.*value - cache.explored.*value) > 0.01 * cache.explored.*value)
                 found.add(fmt::format("{}: explored: expected {}, seen {}", where,
                                       cache.explored.*value, explored.*value));

@@ -32,46 +32,42 @@ uint32_t most_table_buckets(uint32_t bucket) {
 }
 
 Lights visible_lights(std::span<const uint32_t> kept) {
-    const Stride stride = sample_stride(kept.size(), shader::VLC_MOST_SAMPLES);
     Lights lights;
-    for (size_t i = 0; i < stride.processed; ++i) {
-        const uint32_t sample = kept[i * stride.step];
+    for (const size_t place : sample_places(kept.size(), shader::VLC_MOST_SAMPLES)) {
+        const uint32_t sample = kept[place];
         if (sample >= shader::LIGHT_SAMPLE_VISIBLE) lights.insert(sample % (1u << 22));
     }
     return lights;
 }
 
-/// Memory of about 48 draws, and the share of draws with the least second moment.
+/// Second moments over the last 48 draws or so, and the share of draws with the least of both together.
 Explored explore(const Explored& before, std::span<const uint32_t> kept) {
-    const Stride stride = sample_stride(kept.size(), shader::VLC_MOST_SAMPLES);
-    double cached = 0.0, seen = 0.0, listed = 0.0, known = 0.0, found = 0.0;
-    for (size_t i = 0; i < stride.processed; ++i) {
-        const uint32_t sample = kept[i * stride.step];
+    double listed = 0.0, found = 0.0, cached = 0.0, squares = 0.0;
+    for (const size_t place : sample_places(kept.size(), shader::VLC_MOST_SAMPLES)) {
+        const uint32_t sample = kept[place];
         const bool visible = sample >> 31 != 0;
-        const double worth = std::ldexp(1.0, static_cast<int>(sample >> 22 & 127) - 64);
+        const double worth =
+            visible ? std::ldexp(1.0, static_cast<int>(sample >> 22 & 127) - 64) : 0.0;
         switch (sample >> 29 & 3) {
         case 0: // by the cache
             cached += 1.0;
-            seen += visible ? 1.0 : 0.0;
+            squares += worth * worth;
             break;
         case 1: // by the table
             break;
-        case 2: // a light that the cache lacks
+        case 2: // by a list
             listed += 1.0;
-            found += visible ? worth * worth : 0.0;
-            break;
-        case 3: // one that it has
-            listed += 1.0;
-            known += worth;
+            found += worth * worth;
             break;
         }
     }
-    if (cached == 0.0 && known == 0.0) return before; // there was no cache
+    if (cached == 0.0) return before; // there was no cache
     const double keep = std::max(0.0, 1.0 - listed / 48.0);
-    Explored after{keep * before.listed + listed, keep * before.known + known,
-                   keep * before.found + found, 0.0};
-    const double a = std::sqrt(after.found * after.listed * (cached + 1.0) / (seen + 1.0));
-    if (a > 0.0) after.share = std::min(0.9, a / (a + after.known));
+    const double keep_cached = before.cached > 0.0 ? std::max(0.0, 1.0 - cached / 48.0) : 0.0;
+    Explored after{keep * before.listed + listed, keep * before.found + found,
+                   keep_cached * before.cached + (1.0 - keep_cached) * squares / cached, 0.0};
+    const double a = std::sqrt(after.found), b = std::sqrt(after.listed * after.cached);
+    if (a > 0.0) after.share = std::min(0.9, a / (a + b));
     return after;
 }
 
@@ -122,9 +118,12 @@ bool LowBitsFirst::operator()(uint32_t a, uint32_t b) const {
     return false;
 }
 
-Stride sample_stride(size_t kept, size_t most) {
-    if (kept <= most) return {1, kept};
-    return {kept / most, most};
+std::vector<size_t> sample_places(size_t kept, size_t most) {
+    const size_t taken = std::min(kept, most);
+    std::vector<size_t> places(taken);
+    for (size_t i = 0; i < taken; ++i)
+        places[i] = i * kept / taken;
+    return places;
 }
 
 uint32_t table_buckets(uint32_t entries, uint32_t bucket) {

@@ -32,9 +32,9 @@ struct CacheLimits {
     uint32_t persist = 0;  // frames that lights stay after they were seen; 0: as in the paper
 };
 
-/// What draws from lists were worth (guiding_types.h, ExploreMemory).
+/// What draws were worth (guiding_types.h, ExploreMemory).
 struct Explored {
-    double listed = 0.0, known = 0.0, found = 0.0, share = 0.0;
+    double listed = 0.0, found = 0.0, cached = 0.0, share = 0.0;
 };
 
 /// What is known of a leaf before its cache is made.
@@ -63,11 +63,8 @@ struct Caches {
 Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
                    const CacheLimits& limits);
 
-/// Every how many of `kept` samples one is looked at, and how many are, at most `most`.
-struct Stride {
-    size_t step, processed;
-};
-Stride sample_stride(size_t kept, size_t most);
+/// Places of the samples that are looked at, of `kept`: all, or `most` that are spread evenly.
+std::vector<size_t> sample_places(size_t kept, size_t most);
 
 /// Buckets of the hash table for at most `entries` light ids: one and a half times as many as hold
 /// them, at least.

@@ -9,13 +9,13 @@
 namespace vigil::shader {
 namespace {
 
-constexpr uint drawn = 199; // from the cache
+constexpr float drawn = 199.0f; // from the cache
 
 /// Lights as a leaf sees them, per draw.
 struct Leaf {
     double cached;     // C: what the lights of its cache shine
     double seen_share; // s: how many of the cache's lights are seen
-    double others;     // M: second moment of the others, drawn from lists
+    double others;     // M: second moment of the others, drawn from lists alone
 };
 
 /// The second moment of all draws if lists get a part of them (see ExploreMemory).
@@ -37,10 +37,9 @@ double best_share(const Leaf& leaf) {
 
 /// The memory after a frame with `listed` draws from lists.
 ExploreMemory after_frame(const ExploreMemory& memory, const Leaf& leaf, float listed) {
-    const auto seen = static_cast<uint>(std::lround(leaf.seen_share * (drawn + 1))) - 1u;
-    return explore_update(memory, listed,
-                          listed * static_cast<float>(leaf.cached / leaf.seen_share),
-                          listed * static_cast<float>(leaf.others), drawn, seen);
+    const double estimate = leaf.cached / leaf.seen_share; // of those draws whose light is seen
+    return explore_update(memory, listed, listed * static_cast<float>(leaf.others), drawn,
+                          drawn * static_cast<float>(leaf.seen_share * estimate * estimate));
 }
 
 TEST(ExploreShare, IsTheOneOfLeastNoise) {
@@ -70,10 +69,10 @@ TEST(ExploreShare, IsTheSameHoweverManyDrawsThereAre) {
 TEST(ExploreShare, NothingFoundIsNotLookedFor) {
     EXPECT_EQ(after_frame({}, {1.0, 0.5, 0.0}, 48.0f).share, 0.0f);
     // Where the cache holds nothing that shines, nearly all draws look for lights.
-    EXPECT_FLOAT_EQ(explore_update({}, 48.0f, 0.0f, 100.0f, drawn, 0u).share, EXPLORE_MOST);
+    EXPECT_FLOAT_EQ(explore_update({}, 48.0f, 100.0f, drawn, 0.0f).share, EXPLORE_MOST);
     // A frame without draws from the cache does not tell what it lacks.
     const ExploreMemory before = after_frame({}, {1.0, 0.5, 2.0}, 48.0f);
-    const ExploreMemory after = explore_update(before, 48.0f, 0.0f, 100.0f, 0u, 0u);
+    const ExploreMemory after = explore_update(before, 48.0f, 100.0f, 0.0f, 0.0f);
     EXPECT_EQ(after.share, before.share);
     EXPECT_EQ(after.found, before.found);
 }
