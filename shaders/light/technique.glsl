@@ -9,9 +9,9 @@
 //   LEARNS_FROM_LIGHT_SAMPLES 1   there is a third function,
 //     void learn_light(LightChoice choice, uint outcome)             what became of a draw, of the first path of a pixel
 //   DRAWS_BESIDE 1                instead of choose_light there is
-//     LightChoice draw_light(Surface surface, bool beside, inout Random random)
-//                                 whose LightChoice.beside says with which probability a second draw, with `beside` true, is to be made.
-//                                 A light that either draws has one probability for both
+//     LightChoice draw_light(Surface surface, float beside, inout Random random)
+//                                 The first draw of a surface has `beside` 0, and says in LightChoice.beside with which probability a second one
+//                                 is to be made; that gets this as `beside`. A light's probability counts both
 //   STORES_LIGHT_SAMPLES 1        learn_light stores every draw in the octree, which counts surfaces by them
 //   LIGHTS_FOUND_BY_RAYS 1        rays bring the emission that they run into; no light is drawn
 // Its host side is refresh/vkpt/light/NAME.cpp, its row is in shared/techniques.h. selected_technique.glsl is made by the build, one
@@ -54,7 +54,7 @@ const uint LIGHT_SEEN = 2u;
 #endif
 #ifndef DRAWS_BESIDE
 #define DRAWS_BESIDE 0
-LightChoice draw_light(Surface surface, bool beside, inout Random random) { return choose_light(surface, random); }
+LightChoice draw_light(Surface surface, float beside, inout Random random) { return choose_light(surface, random); }
 #endif
 #ifndef LEARNS_FROM_LIGHT_SAMPLES
 #define LEARNS_FROM_LIGHT_SAMPLES 0

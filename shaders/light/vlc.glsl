@@ -61,48 +61,12 @@ bool may_shine(LightCache cache, LtcSurface prepared) {
     return false;
 }
 
-/// Root of the time of a frame over that of a draw beside the cache's in all its pixels (about 10 / 4).
-const float BESIDE_FACTOR = 1.5;
-
-/// How many draws of each kind are made on average.
-struct Shares {
-    float cache; // at most 1
-    float list;
-    float table;
-};
-
-/// Draws that should walk lists, by what they found lately. Those made in place of others get the share a that ExploreMemory stores. Beside others,
-/// walks in a part b of the pixels bring the second moment M / b and take the time b x, where all else has C^2 / s and takes t; the product of the
-/// sums is least for b = sqrt(M s) / C * sqrt(t / x), of which the first factor is a / (1 - a).
-float wanted_walks(uint leaf, bool beside) {
-    if (frame.settings.pt_vlc_adapt == 0) return 0.0;
-    const uint words = leaf_word(LEAF_EXPLORE, leaf);
-    const float share = explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
-    return beside ? min(BESIDE_FACTOR * share / (1.0 - share), 1.0) : share;
-}
-
-Shares technique_shares(bool shines, uint leaf, LightList list) {
-    const float explore = shines ? frame.settings.pt_vlc_explore : 1.0;
-    const float local = alias_count == 0u ? 1.0 : frame.settings.pt_explore_local;
-    const bool beside = shines && frame.settings.pt_vlc_beside != 0;
-    Shares shares = Shares(0.0, 0.0, explore);
-    if (list.count > 0u && local > 0.0) {
-        shares.table = explore * (1.0 - local);
-        shares.list = explore * local;
-        if (shines) shares.list = max(shares.list, (1.0 - shares.table) * wanted_walks(leaf, beside));
-    }
-    if (beside) shares.cache = 1.0;
-    else if (explore < 1.0) shares.cache = 1.0 - shares.table - shares.list;
-    return shares;
-}
-
 /// Everything that the draws of a surface have in common.
 struct LightSearch {
     LtcSurface prepared;
     LightCache cache;
     LightList list;
     uint list_stride;
-    Shares shares;
 };
 
 LightSearch prepare_search(Surface surface, uint leaf) {
@@ -111,10 +75,52 @@ LightSearch prepare_search(Surface surface, uint leaf) {
     search.cache = find_light_cache(leaf);
     search.list = find_light_list(surface);
     search.list_stride = max(list_stride(search.list, bucket_size()), 1u);
-    search.shares = technique_shares(may_shine(search.cache, search.prepared), leaf, search.list);
-    // Where nothing is drawn from the cache, its lights must not be left to it.
-    if (!(search.shares.cache > 0.0)) search.cache.buckets = 0u;
     return search;
+}
+
+/// How many draws of each kind are made on average.
+struct Shares {
+    float cache;
+    float list;
+    float table;
+};
+
+/// Of `total` draws outside of the cache.
+Shares explore_shares(LightSearch search, float total) {
+    const float local = alias_count == 0u ? 1.0 : frame.settings.pt_explore_local;
+    if (search.list.count == 0u || local == 0.0) return Shares(0.0, 0.0, total);
+    const float table = min(frame.settings.pt_vlc_explore, total) * (1.0 - local);
+    return Shares(0.0, total - table, table);
+}
+
+bool draws_beside() { return frame.settings.pt_vlc_beside != 0; }
+
+/// Root of the time of a frame over that of draws beside the cache's in all its pixels.
+const float BESIDE_FACTOR = 1.5;
+
+/// Draws outside of a cache that has lights for the surface. Those made in place of others get the share a that ExploreMemory stores. Beside
+/// others, walks in a part b of the pixels bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the
+/// sums is least for b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M. As one
+/// light's second moment is that of all walks, M grows with their number, and the least share with its root.
+float explore_total(LightSearch search, uint leaf) {
+    const float explore = frame.settings.pt_vlc_explore;
+    if (frame.settings.pt_vlc_adapt == 0) return explore;
+    const uint words = leaf_word(LEAF_EXPLORE, leaf);
+    const float share = explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
+    if (!draws_beside()) return max(explore, share);
+    return max(explore, min(max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * share / (1.0 - share)), 1.0));
+}
+
+/// Shares of a surface's first draw, or of one beside it that is made with the probability `beside` > 0. Where nothing is drawn from the cache,
+/// its lights must not be left to it: then it counts as empty.
+Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
+    if (beside == 0.0 && draws_beside() && search.cache.buckets > 0u) return Shares(1.0, 0.0, 0.0);
+    if (beside > 0.0) return explore_shares(search, beside);
+    const float total = may_shine(search.cache, search.prepared) ? explore_total(search, leaf) : 1.0;
+    Shares shares = explore_shares(search, total);
+    shares.cache = 1.0 - total;
+    if (!(shares.cache > 0.0)) search.cache.buckets = 0u;
+    return shares;
 }
 
 /// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing.
@@ -154,22 +160,21 @@ Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
     return list_candidates(search, place == NONE ? search.list.count : place % search.list_stride);
 }
 
-/// Probability that a light is drawn, after the one walk that can meet it. Beside the cache, the table does not draw the lights that it has.
-float mixture_probability(LightSearch search, bool cached, CandidateWalk walk) {
-    const float walks = cached ? search.shares.cache / float(search.cache.buckets) : search.shares.list / float(search.list_stride);
-    const float table = cached && search.shares.cache == 1.0 ? 0.0 : search.shares.table * alias_probability(walk.light);
-    return table + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
+/// Probability that a light is drawn, after the one walk that can meet it.
+float mixture_probability(LightSearch search, Shares shares, bool cached, CandidateWalk walk) {
+    const float walks = cached ? shares.cache / float(search.cache.buckets) : shares.list / float(search.list_stride);
+    return shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 
-LightChoice draw_light(Surface surface, bool beside, inout Random random) {
+LightChoice draw_light(Surface surface, float beside, inout Random random) {
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
-    const LightSearch search = prepare_search(surface, found.cache);
+    LightSearch search = prepare_search(surface, found.cache);
+    const Shares shares = draw_shares(search, found.cache, beside);
     const vec3 u = random_next3(random);
     const uvec2 bits = random_next_bits(random);
 
     // What to walk past.
-    const Shares shares = search.shares;
-    const float kind = beside ? u.x * (shares.list + shares.table) : u.x - shares.cache; // below 0: the cache
+    const float kind = beside > 0.0 ? u.x * beside : u.x - shares.cache; // below 0: the cache
     const bool from_cache = kind < 0.0;
     const bool from_list = !from_cache && kind < shares.list;
     uint tabled = NONE;
@@ -188,15 +193,20 @@ LightChoice draw_light(Surface surface, bool beside, inout Random random) {
     const CandidateWalk walk = walk_candidates(candidates, tabled, u.z);
 
     LightChoice choice = weighted_choice(walk.light, 0.0);
-    choice.beside = shares.cache == 1.0 ? shares.list + shares.table : 0.0;
     choice.explored = !from_cache;
-    choice.memory = uvec2(found.samples, from_cache ? LIGHT_SAMPLE_CACHED : from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
+    choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
+    if (from_cache) {
+        // One bucket without a light for this surface tells that there is none.
+        const bool shines = walk.sum > 0.0 || search.cache.buckets > 1u;
+        if (shines) choice.memory.y = LIGHT_SAMPLE_CACHED;
+        if (draws_beside()) choice.beside = shines ? explore_total(search, found.cache) : 1.0;
+    }
     const float walks = float(from_cache ? search.cache.buckets : search.list_stride);
     choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
     if (choice.light == NONE) return choice;
-    const float probability = mixture_probability(search, cached, walk);
-    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it; or only another draw is to bring it.
-    if (probability > 0.0 && !(beside && cached)) choice.weight = 1.0 / probability;
+    const float probability = mixture_probability(search, shares, cached, walk);
+    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it. Beside the cache, its lights are not drawn.
+    if (probability > 0.0 && !(beside > 0.0 && cached)) choice.weight = 1.0 / probability;
     else choice.light = NONE;
     return choice;
 }
@@ -207,7 +217,12 @@ void learn_light(LightChoice choice, uint outcome) {
 }
 
 float light_probability(Surface surface, uint light) {
-    const LightSearch search = prepare_search(surface, find_leaves(surface.position, previous_position(surface)).cache);
+    const uint leaf = find_leaves(surface.position, previous_position(surface)).cache;
+    LightSearch search = prepare_search(surface, leaf);
+    float beside = 0.0;
+    if (draws_beside() && search.cache.buckets > 0u && !is_cached(search.cache, light))
+        beside = may_shine(search.cache, search.prepared) ? explore_total(search, leaf) : 1.0;
+    const Shares shares = draw_shares(search, leaf, beside);
     const bool cached = is_cached(search.cache, light);
-    return mixture_probability(search, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));
+    return mixture_probability(search, shares, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));
 }

@@ -101,7 +101,7 @@ float tile_number(uint vertex) {
 /// `vertex` counts the path's vertices.
 DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, inout Random random) {
     DirectLight direct = DirectLight(vec3(0.0), false, NONE);
-    bool beside = false;
+    float beside = 0.0;
     // One turn for each draw: what a technique inlines is long.
     while (true) {
         const LightChoice choice = draw_light(surface, beside, random);
@@ -110,11 +110,11 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         uint outcome;
         direct.radiance += sampled_radiance(surface, choice, u, seed, ray_follows, outcome);
         direct.explored = direct.explored || choice.explored;
-        if (!beside) direct.light = choice.light;
+        if (beside == 0.0) direct.light = choice.light;
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
-        if (DRAWS_BESIDE == 0 || beside || !(tile_number(vertex) < choice.beside)) break;
-        beside = true;
+        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(tile_number(vertex) < choice.beside)) break;
+        beside = choice.beside;
     }
     return direct;
 }

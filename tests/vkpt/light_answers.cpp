@@ -28,6 +28,14 @@ double LightAnswers::sum(size_t pixel) const {
     return total;
 }
 
+double LightAnswers::found() const {
+    double total = 0.0;
+    for (size_t pixel = 0; pixel < hits.size(); ++pixel)
+        for (const LightAnswer& answer : row(pixel).first(lights))
+            total += answer.draws;
+    return total;
+}
+
 vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique) {
     vkpt::SceneFeatures features; // of any scene
     features.instances = features.translucent = features.lights = true;

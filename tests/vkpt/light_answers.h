@@ -36,6 +36,8 @@ struct LightAnswers {
     bool has_surface(size_t pixel) const { return hits[pixel].primitive != shader::NONE; }
     /// Sum of the claimed probabilities of all lights, at most 1 for each draw.
     double sum(size_t pixel) const;
+    /// Draws of all pixels that found a light.
+    double found() const;
 };
 
 /// light_technique.comp with a technique, for scenes of all features that lights can have.

@@ -61,22 +61,22 @@ void go_through_lights(Surface surface, uvec2 pixel, uint index, uint row) {
     }
     vec3 sum = vec3(0.0);
     const bool counts_second = DRAWS_BESIDE != 0 && counts && random_next(random) < 0.5;
-    bool beside = false;
+    float beside = 0.0;
     for (uint i = first; i < end;) {
         LightChoice choice = weighted_choice(i, 1.0);
         if (chooses) choice = draw_light(surface, beside, random);
-        const bool again = DRAWS_BESIDE != 0 && chooses && !beside && random_next(random) < choice.beside;
+        const bool again = DRAWS_BESIDE != 0 && chooses && beside == 0.0 && random_next(random) < choice.beside;
         if (!counts) {
             const vec3 u = random_next3(random);
             const uint seed = random_next_words(random).x;
             uint outcome;
             sum += sampled_radiance(surface, choice, u, seed, false, outcome);
-        } else if (beside == counts_second || !again) {
-            if (beside != counts_second) choice.light = NONE;
+        } else if ((beside > 0.0) == counts_second || !again) {
+            if ((beside > 0.0) != counts_second) choice.light = NONE;
             count_draw(choice, index, row);
             return;
         }
-        beside = again;
+        beside = again ? choice.beside : 0.0;
         if (!again) ++i;
     }
     if (!counts) means[gl_GlobalInvocationID.z * frame.size.x * frame.size.y + index] = chooses ? sum / float(path_count) : sum;

@@ -201,8 +201,10 @@ void judge_probabilities(const LightAnswers& answers, const Blanks& blanks, bool
     EXPECT_LT(std::abs(worst), score_limit) << "pixel " << worst_pixel;
     // Fewer draws than pixels' may differ: only too much difference counts.
     EXPECT_LT(pooled, score_limit);
-    // The test can fail: the same draws against probabilities that are a little off.
-    if (scored > 100 && answers.lights >= 8 && spread) {
+    // The test can fail: the same draws against probabilities that are a little off, where as many
+    // found a light as it takes to see that.
+    if (scored > 100 && answers.lights >= 8 && spread &&
+        planted * std::sqrt(answers.found()) > 2.0 * score_limit) {
         EXPECT_GT(found, score_limit);
     }
 }
