@@ -139,8 +139,9 @@ uint candidate_light(Candidates candidates, uint i) {
 }
 
 float candidate_weight(Candidates candidates, uint light) {
-    if (!candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
-    return light_importance(candidates.prepared, light);
+    const float importance = light_importance(candidates.prepared, light);
+    if (importance > 0.0 && !candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
+    return importance;
 }
 
 #include "light/candidate_walk.glsl"
