@@ -50,17 +50,6 @@ bool is_cached(LightCache cache, uint light) {
     return entry != NONE && (entry & VLC_ID_MASK) == light;
 }
 
-/// Whether any light of the cache may shine on the surface, as far as is known from one bucket.
-bool may_shine(LightCache cache, LtcSurface prepared) {
-    if (cache.buckets != 1u) return cache.buckets > 1u;
-    for (uint i = 0u; i < bucket_size(); ++i) {
-        const uint entry = vlc_lights[cache.first + i];
-        if (entry == NONE) return false;
-        if (light_importance(prepared, entry & VLC_ID_MASK) > 0.0) return true;
-    }
-    return false;
-}
-
 /// Everything that the draws of a surface have in common.
 struct LightSearch {
     LtcSurface prepared;
@@ -97,26 +86,31 @@ bool draws_beside() { return frame.settings.pt_vlc_beside != 0; }
 
 /// Root of the time of a frame over that of draws beside the cache's in all its pixels.
 const float BESIDE_FACTOR = 1.5;
+/// Draws per surface where there is no cache, as lately no draw found a light.
+const float DARK_TOTAL = 0.25;
 
-/// Draws outside of a cache that has lights for the surface. Those made in place of others get the share a that ExploreMemory stores. Beside
-/// others, walks in a part b of the pixels bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the
-/// sums is least for b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M. As one
+/// Draws outside of the cache. Those made in place of others get the share a that ExploreMemory stores. Beside others, walks in a part b of the pixels
+/// bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the sums is least for
+/// b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M. As one
 /// light's second moment is that of all walks, M grows with their number, and the least share with its root.
 float explore_total(LightSearch search, uint leaf) {
     const float explore = frame.settings.pt_vlc_explore;
-    if (frame.settings.pt_vlc_adapt == 0) return explore;
+    const bool none = search.cache.buckets == 0u;
+    if (frame.settings.pt_vlc_adapt == 0) return none ? 1.0 : explore;
     const uint words = leaf_word(LEAF_EXPLORE, leaf);
-    const float share = explore_unpack(uvec2(leaves[words], leaves[words + 1u])).share;
-    if (!draws_beside()) return max(explore, share);
-    return max(explore, min(max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * share / (1.0 - share)), 1.0));
+    const ExploreMemory memory = explore_unpack(uvec2(leaves[words], leaves[words + 1u]));
+    if (!draws_beside()) return none ? 1.0 : max(explore, memory.share);
+    float wanted = max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * memory.share / (1.0 - memory.share));
+    if (none) wanted = memory.listed < 0.9 * EXPLORE_DRAWS ? 1.0 : max(wanted, DARK_TOTAL);
+    return max(explore, min(wanted, 1.0));
 }
 
 /// Shares of a surface's first draw, or of one beside it that is made with the probability `beside` > 0. Where nothing is drawn from the cache,
 /// its lights must not be left to it: then it counts as empty.
 Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
-    if (beside == 0.0 && draws_beside() && search.cache.buckets > 0u) return Shares(1.0, 0.0, 0.0);
     if (beside > 0.0) return explore_shares(search, beside);
-    const float total = may_shine(search.cache, search.prepared) ? explore_total(search, leaf) : 1.0;
+    if (draws_beside()) return Shares(1.0, 0.0, 0.0);
+    const float total = explore_total(search, leaf);
     Shares shares = explore_shares(search, total);
     shares.cache = 1.0 - total;
     if (!(shares.cache > 0.0)) search.cache.buckets = 0u;
@@ -147,7 +141,8 @@ float candidate_weight(Candidates candidates, uint light) {
 #include "light/candidate_walk.glsl"
 
 Candidates bucket_candidates(LightSearch search, uint first) {
-    return Candidates(first, first + bucket_size(), 1u, true, search.cache, search.list, search.prepared);
+    const uint lights_there = search.cache.buckets > 0u ? bucket_size() : 0u;
+    return Candidates(first, first + lights_there, 1u, true, search.cache, search.list, search.prepared);
 }
 
 Candidates list_candidates(LightSearch search, uint start) {
@@ -196,12 +191,8 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     LightChoice choice = weighted_choice(walk.light, 0.0);
     choice.explored = !from_cache;
     choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
-    if (from_cache) {
-        // One bucket without a light for this surface tells that there is none.
-        const bool shines = walk.sum > 0.0 || search.cache.buckets > 1u;
-        if (shines) choice.memory.y = LIGHT_SAMPLE_CACHED;
-        if (draws_beside()) choice.beside = shines ? explore_total(search, found.cache) : 1.0;
-    }
+    if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
+    if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
     const float walks = float(from_cache ? search.cache.buckets : search.list_stride);
     choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
     if (choice.light == NONE) return choice;
@@ -220,9 +211,7 @@ void learn_light(LightChoice choice, uint outcome) {
 float light_probability(Surface surface, uint light) {
     const uint leaf = find_leaves(surface.position, previous_position(surface)).cache;
     LightSearch search = prepare_search(surface, leaf);
-    float beside = 0.0;
-    if (draws_beside() && search.cache.buckets > 0u && !is_cached(search.cache, light))
-        beside = may_shine(search.cache, search.prepared) ? explore_total(search, leaf) : 1.0;
+    const float beside = draws_beside() && !is_cached(search.cache, light) ? explore_total(search, leaf) : 0.0;
     const Shares shares = draw_shares(search, leaf, beside);
     const bool cached = is_cached(search.cache, light);
     return mixture_probability(search, shares, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));

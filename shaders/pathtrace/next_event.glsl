@@ -13,7 +13,7 @@
 struct DirectLight {
     vec3 radiance; // towards the viewer: an unbiased estimate of that of all the technique's lights
     bool explored; // see LightChoice
-    uint light;    // that the first of them drew, or NONE
+    uint light;    // that the first of them drew which drew one, or NONE
 };
 
 /// A point on a light, and what it contributes unless something is in between.
@@ -110,7 +110,7 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         uint outcome;
         direct.radiance += sampled_radiance(surface, choice, u, seed, ray_follows, outcome);
         direct.explored = direct.explored || choice.explored;
-        if (beside == 0.0) direct.light = choice.light;
+        if (direct.light == NONE) direct.light = choice.light;
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
         if (DRAWS_BESIDE == 0 || beside > 0.0 || !(tile_number(vertex) < choice.beside)) break;

@@ -136,13 +136,14 @@ SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
 
 /// The memory after a frame with so many draws from lists and from the cache, and the sums of the squares of their
 /// estimates. A frame in which nothing was drawn from the cache had none, so it does not tell what a cache lacks: what it found is in
-/// the next one.
+/// the next one, for which memory begins anew. If it found nothing, that is remembered.
 SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float found, float drawn, float squares) {
-    if (!(drawn > 0.0f)) return memory;
+    if (!(drawn > 0.0f) && found > 0.0f) return explore_unpack(uvec2(0u, 0u));
     // Many new draws leave little of the old: an empty cache is full a frame later.
     const float kept = max(1.0f - listed / EXPLORE_DRAWS, 0.0f);
     memory.listed = kept * memory.listed + listed;
     memory.found = min(kept * memory.found + found, EXPLORE_LARGEST_SUM);
+    if (!(drawn > 0.0f)) return memory;
     const float fresh = memory.cached > 0.0f ? min(drawn / EXPLORE_DRAWS, 1.0f) : 1.0f;
     memory.cached = mix(memory.cached, min(squares, EXPLORE_LARGEST_SUM) / drawn, fresh);
     const float odds = sqrt(memory.found);

@@ -88,7 +88,7 @@
         "octree: factor on both thresholds; they also follow the number of pixels") \
     GPU_INTEGER(pt_vlc_bucket, Session, Reference, 32, 1, 64, \
         "vlc: most lights weighted per hit; caches with more have several buckets") \
-    GPU_REAL(pt_vlc_explore, Session, Reference, 0.05, 0.0, 1.0, \
+    GPU_REAL(pt_vlc_explore, Session, Reference, 0.03, 0.0, 1.0, \
         "vlc: share of light samples that look for lights not in the cache; 0: none do, and lights that no cache has are missing") \
     GPU_INTEGER(pt_vlc_beside, Session, Reference, 1, 0, 1, \
         "vlc: 1: light samples that look for lights are made beside those from the cache; 0: in their place, as the paper") \

@@ -61,11 +61,14 @@ Explored explore(const Explored& before, std::span<const uint32_t> kept) {
             break;
         }
     }
-    if (cached == 0.0) return before; // there was no cache
+    if (cached == 0.0 && found > 0.0) return {}; // there was no cache, but there will be one
     const double keep = std::max(0.0, 1.0 - listed / 48.0);
     const double keep_cached = before.cached > 0.0 ? std::max(0.0, 1.0 - cached / 48.0) : 0.0;
     Explored after{keep * before.listed + listed, keep * before.found + found,
-                   keep_cached * before.cached + (1.0 - keep_cached) * squares / cached, 0.0};
+                   before.cached, before.share};
+    if (cached == 0.0) return after;
+    after.cached = keep_cached * before.cached + (1.0 - keep_cached) * squares / cached;
+    after.share = 0.0;
     const double a = std::sqrt(after.found), b = std::sqrt(after.listed * after.cached);
     if (a > 0.0) after.share = std::min(0.9, a / (a + b));
     return after;

@@ -70,11 +70,23 @@ TEST(ExploreShare, NothingFoundIsNotLookedFor) {
     EXPECT_EQ(after_frame({}, {1.0, 0.5, 0.0}, 48.0f).share, 0.0f);
     // Where the cache holds nothing that shines, nearly all draws look for lights.
     EXPECT_FLOAT_EQ(explore_update({}, 48.0f, 100.0f, drawn, 0.0f).share, EXPLORE_MOST);
-    // A frame without draws from the cache does not tell what it lacks.
+    // A frame without draws from the cache does not tell what the next one's lacks.
     const ExploreMemory before = after_frame({}, {1.0, 0.5, 2.0}, 48.0f);
     const ExploreMemory after = explore_update(before, 48.0f, 100.0f, 0.0f, 0.0f);
-    EXPECT_EQ(after.share, before.share);
-    EXPECT_EQ(after.found, before.found);
+    EXPECT_EQ(after.share, 0.0f);
+    EXPECT_EQ(after.listed, 0.0f);
+    // One without any draws changes nothing.
+    const ExploreMemory same = explore_update(before, 0.0f, 0.0f, 0.0f, 0.0f);
+    EXPECT_EQ(same.share, before.share);
+    EXPECT_EQ(same.found, before.found);
+}
+
+TEST(ExploreShare, DarknessIsRemembered) {
+    ExploreMemory memory{};
+    for (int frame = 0; frame < 20; ++frame)
+        memory = explore_update(memory, 12.0f, 0.0f, 0.0f, 0.0f);
+    EXPECT_GT(memory.listed, 0.9f * EXPLORE_DRAWS);
+    EXPECT_EQ(memory.found, 0.0f);
 }
 
 } // namespace
