@@ -23,7 +23,8 @@ vec3 arriving_radiance(Surface surface, vec3 direction, inout Random random) {
     for (int depth = 0; depth <= bounces; ++depth) {
         if (depth == bounces && !rays_find_light()) break;
         const bool lit = depth < bounces;
-        const RayEnd end = follow_ray(surface, ray, guided.brdf_pdf, lit, uint(depth + 1), lit && (depth + 1 < bounces || rays_find_light()), random);
+        const RayEnd end =
+            follow_ray(surface, ray, guided.brdf_pdf, lit, uint(depth + 1), lit && (depth + 1 < bounces || rays_find_light()), random);
         gathered += throughput * end.taught;
         vec3 weight;
         if (!end.goes_on || !scatter(end.surface, random, weight, ray, guided)) break;

@@ -14,12 +14,8 @@ void count_draw(uint light_sample) {
     const float estimate = (light_sample & LIGHT_SAMPLE_VISIBLE) != 0u ? light_sample_estimate(light_sample) : 0.0;
     const vec2 draw = vec2(1.0, estimate * estimate);
     switch (light_sample & LIGHT_SAMPLE_DRAWN) {
-    case LIGHT_SAMPLE_LISTED:
-        draws[gl_LocalInvocationID.x].xy += draw;
-        break;
-    case LIGHT_SAMPLE_CACHED:
-        draws[gl_LocalInvocationID.x].zw += draw;
-        break;
+    case LIGHT_SAMPLE_LISTED: draws[gl_LocalInvocationID.x].xy += draw; break;
+    case LIGHT_SAMPLE_CACHED: draws[gl_LocalInvocationID.x].zw += draw; break;
     }
 }
 
@@ -27,8 +23,8 @@ void remember_draws(uint leaf) {
     vec4 sums = vec4(0.0);
     for (uint i = 0u; i < LANES; ++i) sums += draws[i];
     const uint memory = leaf_word(LEAF_EXPLORE, leaf);
-    const uvec2 words = explore_pack(
-        explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])), sums.x, sums.y, sums.z, sums.w));
+    const uvec2 words =
+        explore_pack(explore_update(explore_unpack(uvec2(old_leaves[memory], old_leaves[memory + 1u])), sums.x, sums.y, sums.z, sums.w));
     old_leaves[memory] = words.x;
     old_leaves[memory + 1u] = words.y;
 }

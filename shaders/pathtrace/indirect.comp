@@ -33,7 +33,8 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
         if (!scatter(surface, random, weight, ray, guided)) break;
         throughput *= weight;
         const bool lit = depth < bounces;
-        const RayEnd end = follow_ray(surface, ray, guided.brdf_pdf, lit, uint(depth + 1), lit && (depth + 1 < bounces || rays_find_light()), random);
+        const RayEnd end =
+            follow_ray(surface, ray, guided.brdf_pdf, lit, uint(depth + 1), lit && (depth + 1 < bounces || rays_find_light()), random);
         gathered += throughput * end.brought;
         // Learn from it.
         if (depth == 0) {

@@ -280,11 +280,13 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
             found.add(fmt::format("{}: visible lights: expected {}, seen {}", where,
                                   cache.own.size(), visible));
 
-        // What draws were worth: floats of two bytes, whose error the share shares.
+        // What draws were worth: floats of two bytes, whose error the share shares; subnormal ones
+        // have less.
         const Explored explored = explored_at(seen_old, number);
         for (double Explored::*value :
              {&Explored::listed, &Explored::found, &Explored::cached, &Explored::share})
-            if (std::abs(explored.*value - cache.explored.*value) > 0.01 * cache.explored.*value)
+            if (std::abs(explored.*value - cache.explored.*value) >
+                0.01 * cache.explored.*value + 1e-38)
                 found.add(fmt::format("{}: explored: expected {}, seen {}", where,
                                       cache.explored.*value, explored.*value));
 

@@ -40,7 +40,8 @@ Lights visible_lights(std::span<const uint32_t> kept) {
     return lights;
 }
 
-/// Second moments over the last 48 draws or so, and the share of draws with the least of both together.
+/// Second moments over the last 48 draws or so, and the share of draws with the least of both
+/// together.
 Explored explore(const Explored& before, std::span<const uint32_t> kept) {
     double listed = 0.0, found = 0.0, cached = 0.0, squares = 0.0;
     for (const size_t place : sample_places(kept.size(), shader::VLC_MOST_SAMPLES)) {
@@ -64,8 +65,8 @@ Explored explore(const Explored& before, std::span<const uint32_t> kept) {
     if (cached == 0.0 && found > 0.0) return {}; // there was no cache, but there will be one
     const double keep = std::max(0.0, 1.0 - listed / 48.0);
     const double keep_cached = before.cached > 0.0 ? std::max(0.0, 1.0 - cached / 48.0) : 0.0;
-    Explored after{keep * before.listed + listed, keep * before.found + found,
-                   before.cached, before.share};
+    Explored after{keep * before.listed + listed, keep * before.found + found, before.cached,
+                   before.share};
     if (cached == 0.0) return after;
     after.cached = keep_cached * before.cached + (1.0 - keep_cached) * squares / cached;
     after.share = 0.0;

@@ -124,12 +124,13 @@ TEST(ExploreMemory, StaysSoundForAnySums) {
         ExploreMemory memory = explore_unpack(uvec2(0));
         for (int frame = 0; frame < 20; ++frame) {
             // 4,096 estimates of 2^63 at most, and their squares, whose sum is beyond all floats.
-            memory = explore_update(memory, random_next(random) < 0.3f ? 0.0f : 4096.0f,
-                                    amount(INFINITY), float(any_word(random) % 4096u),
-                                    amount(INFINITY));
+            memory =
+                explore_update(memory, random_next(random) < 0.3f ? 0.0f : 4096.0f,
+                               amount(INFINITY), float(any_word(random) % 4096u), amount(INFINITY));
             memory = explore_unpack(explore_pack(memory));
             ASSERT_TRUE(is_finite_nonnegative(memory.listed) &&
-                        is_finite_nonnegative(memory.found) && is_finite_nonnegative(memory.cached));
+                        is_finite_nonnegative(memory.found) &&
+                        is_finite_nonnegative(memory.cached));
             ASSERT_TRUE(is_finite_nonnegative(memory.share) && memory.share <= EXPLORE_MOST * 1.01f)
                 << memory.share;
         }

@@ -21,8 +21,8 @@ struct LightAnswer {
 
 struct LightAnswers {
     size_t lights = 0;
-    // Draws that each light may come from: each is tried by as large a part of all. 0: probabilities
-    // are not exact.
+    // Draws that each light may come from: each is tried by as large a part of all. 0:
+    // probabilities are not exact.
     uint32_t draws = 0;
     std::vector<LightAnswer> answers; // rows of lights + 1; the last one stands for "no light"
     // By pixel: largest relative difference between the probability that came with a draw and the

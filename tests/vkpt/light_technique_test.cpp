@@ -42,8 +42,7 @@ double pooled_score(const LightAnswers& answers, double error, uint32_t draws_pe
         const std::span<const LightAnswer> row = answers.row(pixel);
         double sum = 0.0;
         for (size_t light = 0; light < answers.lights; ++light) {
-            const double share =
-                static_cast<double>(row[light].probability) / answers.draws;
+            const double share = static_cast<double>(row[light].probability) / answers.draws;
             shares[light % groups] += share * (light / 2 % 2 == 0 ? 1.0 + error : 1.0 - error);
             counts[light % groups] += row[light].draws;
             sum += share;
@@ -180,7 +179,8 @@ void judge_probabilities(const LightAnswers& answers, const Blanks& blanks, bool
         SelectionBins bins(draws_per_pixel);
         for (const LightAnswer& answer : answers.row(pixel).first(answers.lights))
             bins.add(static_cast<double>(answer.probability) / answers.draws, answer.draws);
-        bins.add(std::max(1.0 - sum / answers.draws, 0.0), answers.row(pixel)[answers.lights].draws);
+        bins.add(std::max(1.0 - sum / answers.draws, 0.0),
+                 answers.row(pixel)[answers.lights].draws);
         const std::optional<double> score = bins.score();
         if (!score) continue;
         ++scored;
