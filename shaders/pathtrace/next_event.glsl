@@ -89,11 +89,11 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bo
     return value;
 }
 
-/// A number in [0, 1) that the invocations of a tile, a subgroup of most devices, have in common, for each of a path's vertices (0 is the
-/// primary hit) another: what only some do is done by whole tiles, so that no lane waits for its neighbour.
-float tile_number(uint vertex) {
+/// A number in [0, 1) that the eight invocations of a work group's row have in common, for each of a path's vertices (0 is the primary hit) another.
+/// What only some pixels do is done by whole rows, a subgroup or a part of one, so that few lanes wait. Larger groups would be seen as blocks.
+float row_number(uint vertex) {
     // A stream that no pixel has.
-    Random random = path_random(uvec2(0x10000u, 0u) + gl_GlobalInvocationID.xy / uvec2(8u, 4u), STREAM_DIRECT);
+    Random random = path_random(uvec2(0x10000u, 0u) + gl_GlobalInvocationID.xy / uvec2(8u, 1u), STREAM_DIRECT);
     random.dimension = vertex;
     return random_next(random);
 }
@@ -113,7 +113,7 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         if (direct.light == NONE) direct.light = choice.light;
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
-        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(tile_number(vertex) < choice.beside)) break;
+        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(row_number(vertex) < choice.beside)) break;
         beside = choice.beside;
     }
     return direct;
