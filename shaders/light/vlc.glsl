@@ -96,7 +96,7 @@ const float DARK_TOTAL = 0.25;
 float explore_total(LightSearch search, uint leaf) {
     const float explore = frame.settings.pt_vlc_explore;
     const bool none = search.cache.buckets == 0u;
-    if (frame.settings.pt_vlc_adapt == 0) return none ? 1.0 : explore;
+    if (frame.settings.pt_vlc_adapt == 0 || explore == 0.0) return none ? 1.0 : explore;
     const uint words = leaf_word(LEAF_EXPLORE, leaf);
     const ExploreMemory memory = explore_unpack(uvec2(leaves[words], leaves[words + 1u]));
     if (!draws_beside()) return none ? 1.0 : max(explore, memory.share);

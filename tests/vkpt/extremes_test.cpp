@@ -44,7 +44,9 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
     const PictureBatches reference = batches(shot, 16, 64, 1000, 4);
     const Settings rows[] = {
         {{"pt_nee", "vlc"}, {"pt_vlc_explore", "1"}, {"pt_explore_local", "1"}},
+        {{"pt_vlc_beside", "0"}},
         {{"pt_explore_local", "0"}},
+        {{"pt_vlc_beside", "1"}},
         {{"pt_vlc_explore", "0.05"}, {"pt_explore_local", "1"}},
         {{"pt_explore_local", "0"}, {"pt_vlc_adapt", "0"}},
         {{"pt_explore_local", "0.8"}, {"pt_guide", "cdq"}, {"pt_cdq_brdf", "1"}},
@@ -72,6 +74,38 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
     EXPECT_GT(seen, 0.5 * exact);
     record("shares", "pt_vlc_explore 0", "biased, as its help says: finite, and not brighter",
            fmt::format("{:.1f}% of the light", 100.0 * seen / exact));
+}
+
+TEST_F(Extremes, CachesThatKnowNothing) {
+    load("lamp", [](Level& level) {
+        for (BspTexInfo& info : level.bsp.texinfos)
+            info.value = 0;
+    });
+    Shot dark;
+    dark.view = {{-192, 0, 64}, {50, 0, 0}, 60};
+    dark.dynamic_lights = {{9, {-100, 0, -200}, 8.0f, {5, 5, 5}}}; // below the floor
+    Shot lit = dark;
+    lit.dynamic_lights = {{7, {-120, 40, 60}, 16.0f, {20, 10, 5}},
+                          {8, {-40, -60, 100}, 12.0f, {5, 20, 40}}};
+    set_size(24, 16);
+    set("pt_nee", "lh");
+    const PictureBatches reference = batches(lit, 12, 64, 1000, 4);
+    set("pt_nee", "vlc");
+    for (const int frames : {0, frames_to_learn}) {
+        learn(dark, frames);
+        radiance(lit); // its samples count in the next frame, which does not come
+        shader::FrameParams frame = params(lit);
+        PictureBatches seen(cvars()->vid_width, cvars()->vid_height, 4);
+        for (int batch = 0; batch < 12; ++batch) {
+            frame.settings.pt_seed = 5000 + batch;
+            // A quarter of the rows of pixels looks where it was dark: more noise.
+            seen.add(trace(frame, renderer().scene()->features(), frames == 0 ? 64 : 1024));
+        }
+        judge(fmt::format("after {} dark frames", frames), seen, reference,
+              {.everywhere = 0.03, .quadrant = 0.08, .five_blocks = 0.15});
+    }
+    record("scenes", "lights in the first frame, and after frames without any",
+           "vlc has the mean of lh");
 }
 
 TEST_F(Extremes, AHundredThousandLights) {

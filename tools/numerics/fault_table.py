@@ -74,6 +74,7 @@ GUIDING = whole("guiding", "guiding_passes_test", VIGIL_VALIDATION="0")
 ANALYTIC = whole("vkpt", "vkpt_analytic_test", VIGIL_VALIDATION="0")
 FILTER = whole("vkpt", "vkpt_filter_test", VIGIL_VALIDATION="0")
 TECHNIQUE = whole("vkpt", "vkpt_technique_test", VIGIL_VALIDATION="0")
+EXTREMES = whole("vkpt", "vkpt_extremes_test", VIGIL_VALIDATION="0")
 CONVERGENCE = whole("vkpt", "vkpt_convergence_test", VIGIL_VALIDATION="0")
 VIEWS = whole("vkpt", "vkpt_view_test", VIGIL_VALIDATION="0")
 MOVING_LIGHTS = whole("vkpt", "vkpt_moving_lights_test", VIGIL_VALIDATION="0")
@@ -318,7 +319,7 @@ FAULTS = [
           "u.x - shares.cache; // below 0: the cache", "u.x - 0.96 * shares.cache; // below 0: the cache", TECHNIQUE, "*KeepsItsPromises/vlc_FourAtMostWithoutLists"),
     Fault("what vlc draws beside the cache is drawn 4% too rarely", "shaders/pathtrace/next_event.glsl",
           "!(row_number(vertex) < choice.beside)", "!(row_number(vertex) < 0.96 * choice.beside)",
-          CONVERGENCE, "Convergence.RoomWithManyLamps"),
+          EXTREMES, "Extremes.CachesThatKnowNothing"),
     Fault("vlc: the table keeps lights that the cache has", "shaders/light/vlc.glsl",
           "if (probability > 0.0 && !(beside > 0.0 && cached)) choice", "if (probability > 0.0) choice",
           TECHNIQUE, "*KeepsItsPromises/vlc_Default"),
