@@ -93,8 +93,8 @@ struct RayEnd {
     Surface surface;
 };
 
-/// Sees what is there, and, if `light` is true, samples the lights there, as vertex `vertex_number` of the path; `ray_follows` is whether another ray is sent from there. `surface` is
-/// where the ray starts, and `brdf_pdf` the density of its direction by the BRDF.
+/// Sees what is there, and, if `light` is true, samples the lights there, as vertex `vertex_number` of the path; `ray_follows` is whether another
+/// ray is sent from there. `surface` is where the ray starts, and `brdf_pdf` the density of its direction by the BRDF.
 RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, uint vertex_number, bool ray_follows, inout Random random) {
     RayEnd end;
     end.brought = vec3(0.0);

@@ -22,8 +22,8 @@ struct Answer {
 layout(set = 3, binding = 0, scalar) restrict buffer AnswerBlock { Answer answers[]; };
 // Radiance by (z, pixel).
 layout(set = 3, binding = 1, scalar) restrict writeonly buffer RadianceOutBlock { vec3 means[]; };
-// Draws that each light may come from, or 0 if probabilities are not exact; then, by pixel, the largest relative difference between 1 / weight of a draw and the probability
-// that was told for its light, as bits.
+// Draws that each light may come from, or 0 if probabilities are not exact; then, by pixel, the largest relative difference between
+// 1 / weight of a draw and the probability that was told for its light, as bits.
 layout(set = 3, binding = 2, scalar) restrict buffer FactBlock {
     uint exact_draws;
     uint errors[];
