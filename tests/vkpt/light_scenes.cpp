@@ -311,7 +311,8 @@ LightScene sky_and_sun() {
 LightScene black_sky_and_point_sun() {
     LightScene scene =
         court("BlackSkyAndPointSun", {{"sky", ""}, {"_sky_color", "0 0 0"}, {"_sun_angle", "0"}});
-    add_lamp(scene, 1000); // so bright that it is drawn everywhere: what is never drawn shows no noise
+    add_lamp(scene,
+             1000); // so bright that it is drawn everywhere: what is never drawn shows no noise
     scene.extreme = "a sun of angle 0 in a black sky, beside a lamp";
     scene.spread = false; // it is most of the light
     return scene;
