@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `vlc`: the Visibility Light Cache (paper, section 4.2 and algorithm 1). A bucket of the surface's cache is drawn, and in it a light in
-// proportion to its importance. With the probability pt_vlc_explore, or a larger one (explore_total), a second draw looks for lights that no sample has seen lately:
+// proportion to its importance. With the probability pt_vlc_explore, or a larger one (explore_total), a second draw looks for lights that no
+// sample has seen lately:
 //   - pt_explore_local of these walk the lights of the surface's PVS cluster, as `sll` does. Where such walks find much that the cache lacks (more
 //     lights than a leaf has samples for), or where there is no cache, more of them are made (pt_vlc_adapt, ExploreMemory);
 //   - the others take any light of the level from a table weighted anew each frame (paper, section 4.3).
