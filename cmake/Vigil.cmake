@@ -136,6 +136,18 @@ function(vigil_test_long name cases)
   set_tests_properties(${name}_long PROPERTIES LABELS long TIMEOUT ${timeout})
 endfunction()
 
+# vigil_test_narrow(NAMES): these tests with vectors of 128 bits, subgroups of 4. lavapipe compiles shaders for them in
+# half the time that it needs for 256 bits, and runs them a fifth slower: right for tests that mostly compile. Mesa's
+# shader cache does not tell widths apart, so they have one of their own (tests/vkpt/render_test.cpp). Other drivers
+# ignore it. Under sanitizers, by `./run test long`, the driver chooses the width.
+function(vigil_test_narrow)
+  if(VIGIL_SANITIZE)
+    return()
+  endif()
+  set_property(TEST ${ARGV} APPEND PROPERTY ENVIRONMENT
+    "LP_NATIVE_VECTOR_WIDTH=128" "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-cache128")
+endfunction()
+
 # vigil_test_subgroups(NAME): the test again at each other subgroup size that lavapipe can have, by `./run test long` only.
 # Other drivers ignore the variables; the shader cache would hand out code of another size. Not under sanitizers: the
 # host does the same each time.

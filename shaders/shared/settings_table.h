@@ -7,6 +7,7 @@
 #define VIGIL_SHARED_SETTINGS_TABLE_H
 
 #ifdef __cplusplus
+#include "shared/features.h"
 #include "shared/guiders.h"
 #include "shared/techniques.h"
 #include "shared/views.h"
@@ -53,6 +54,8 @@
         "where pt_compare splits the picture, in parts of its width; 0: all of it is the right side, 1: the left") \
     CHOICE(pt_trace, Session, Reference, "auto", "auto|bvh|query", \
         "rays by our BVH in compute or by ray queries; auto: queries on GPUs that have them") \
+    CHOICE(pt_features, Session, Picture, "auto", feature_choices, \
+        "what shaders are compiled for: auto: what the level and its entities have; with a name that too, with all everything: to measure what it costs") \
     INTEGER(pt_spp, Session, Picture, 1, 1, 4096, "paths per pixel and frame") \
     INTEGER(pt_accumulate, Session, Picture, 0, 0, 1, \
         "1: average all frames while nothing moves; for references") \

@@ -126,20 +126,22 @@ void add_measurement(RowResult& row, const Measurement& measured) {
         row.pass_ms[pass].back().push_back(measured.pass_ms[pass]);
 }
 
-/// Ratios of an error to the baseline's. Nothing can be told where one of the two misses light.
+/// Ratios of an error to the baseline's. They are unknown where one of the two misses
+/// light.
 void add_ratios(ordered_json& json, const Quantity& quantity, const RowResult& row,
                 const RowResult& baseline) {
-    const bool told = !misses_light(row["mean_ratio"]) && !misses_light(baseline["mean_ratio"]);
+    const bool comparable =
+        !misses_light(row["mean_ratio"]) && !misses_light(baseline["mean_ratio"]);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     constexpr Interval nothing = {unknown, unknown, unknown};
     const auto typical = [&](const Strata& a, const Strata& b) {
-        return to_json(told ? typical_ratio(a, b) : Comparison{nothing, unknown});
+        return to_json(comparable ? typical_ratio(a, b) : Comparison{nothing, unknown});
     };
     const Strata &own = row[quantity.name], &other = baseline[quantity.name];
-    const double means = told ? ratio_of_means(own, other) : unknown;
+    const double means = comparable ? ratio_of_means(own, other) : unknown;
     json["ratio"] = {{"value", means}};
     json["typical"] = typical(own, other);
-    json["ratio_over_views"] = to_json(told ? ratio_over_views(own, other) : nothing);
+    json["ratio_over_views"] = to_json(comparable ? ratio_over_views(own, other) : nothing);
     if (!quantity.at_equal_time) return;
     // Variance falls with the number of samples, so it is error times frame time that is compared,
     // run by run.

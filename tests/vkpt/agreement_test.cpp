@@ -32,7 +32,7 @@ protected:
     /// Results of probe.comp for these arguments.
     static std::vector<glm::vec4> probe(uint32_t function,
                                         const std::vector<glm::vec4>& arguments) {
-        vkpt::SidePass pass = test_pass(renderer(), "probe", renderer().scene()->features());
+        vkpt::SidePass pass = test_pass(renderer(), "probe", renderer().compiled_features());
         pass.add_buffer(gpu::bytes_of(arguments));
         pass.add_buffer(arguments.size() * sizeof(glm::vec4));
         const auto count = static_cast<uint32_t>(arguments.size());
@@ -117,7 +117,7 @@ TEST_F(Agreement, CameraRaysHitWhatBruteForceHits) {
         radiance(shot);
         shader::FrameParams frame = params(shot);
         frame.frame = static_cast<uint32_t>(1000 + view);
-        trace(frame, renderer().scene()->features(), 1);
+        trace(frame, 1);
         const std::vector<shader::PrimaryHit> hits = primary_hits();
         const vkpt::Scene& scene = *renderer().scene();
         for (uint32_t index = 0; index < hits.size(); ++index) {

@@ -222,7 +222,7 @@ protected:
             turn_sun(frame, number);
             frame.frame = static_cast<uint32_t>(number);
             frame.settings.pt_seed = seed;
-            const std::vector<float> picture = trace(frame, renderer().scene()->features(), paths);
+            const std::vector<float> picture = trace(frame, paths);
             if (number < first_judged) continue;
             mean.resize(picture.size(), 0.0f);
             for (std::size_t i = 0; i < mean.size(); ++i)

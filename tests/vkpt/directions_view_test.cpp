@@ -85,8 +85,7 @@ protected:
 
     /// Mean luminance of the indirect light alone, by `paths` paths per pixel.
     double indirect_light(uint32_t paths) {
-        const std::vector<float> rgb =
-            trace(params(shot_), renderer().scene()->features(), paths, LightSamples::Indirect);
+        const std::vector<float> rgb = trace(params(shot_), paths, LightSamples::Indirect);
         double sum = 0.0;
         for (size_t i = 0; i < rgb.size(); i += 3)
             sum += static_cast<double>(shader::luminance({rgb[i], rgb[i + 1], rgb[i + 2]}));

@@ -99,7 +99,7 @@ TEST_F(Extremes, CachesThatKnowNothing) {
         for (int batch = 0; batch < 12; ++batch) {
             frame.settings.pt_seed = 5000 + batch;
             // A quarter of the rows of pixels looks where it was dark: more noise.
-            seen.add(trace(frame, renderer().scene()->features(), frames == 0 ? 64 : 1024));
+            seen.add(trace(frame, frames == 0 ? 64 : 1024));
         }
         judge(fmt::format("after {} dark frames", frames), seen, reference,
               {.everywhere = 0.03, .quadrant = 0.08, .five_blocks = 0.15});
@@ -180,7 +180,7 @@ TEST_F(Extremes, FrameCountersOfYears) {
         PictureBatches seen(cvars()->vid_width, cvars()->vid_height, 4);
         for (uint32_t i = 0; i < 12; ++i) {
             frame.frame = first + i;
-            seen.add(trace(frame, renderer().scene()->features(), 16));
+            seen.add(trace(frame, 16));
         }
         return seen;
     };
@@ -192,9 +192,9 @@ TEST_F(Extremes, FrameCountersOfYears) {
     for (const uint32_t number : {0x40000000u, 0xffffffffu}) {
         frame.frame = number;
         frame.accumulated = 0;
-        const std::vector<float> first = trace(frame, renderer().scene()->features(), 4);
+        const std::vector<float> first = trace(frame, 4);
         frame.accumulated = number;
-        const std::vector<float> mean = trace(frame, renderer().scene()->features(), 4);
+        const std::vector<float> mean = trace(frame, 4);
         EXPECT_TRUE(all_finite_nonnegative(mean));
         EXPECT_NEAR(sum_of(mean), sum_of(first), 1e-4 * sum_of(first));
     }
@@ -213,7 +213,7 @@ TEST_F(Extremes, OnePixel) {
     renderer().buffers().resize({1, 1}, {1, 1}, false);
     renderer().buffers().bind(*renderer().scene(), *renderer().technique(),
                               *renderer().technique());
-    const std::vector<float> pixel = trace(params(shot), renderer().scene()->features(), 64);
+    const std::vector<float> pixel = trace(params(shot), 64);
     ASSERT_EQ(pixel.size(), 3u);
     EXPECT_TRUE(all_finite_nonnegative(pixel));
     EXPECT_GT(pixel[0], 0.0f);
@@ -226,7 +226,7 @@ TEST_F(Extremes, PicturesThatDoNotFitLeaveTheProgramUsable) {
     Shot shot;
     shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
     radiance(shot);
-    const std::vector<float> before = trace(params(shot), renderer().scene()->features(), 4);
+    const std::vector<float> before = trace(params(shot), 4);
     EXPECT_GT(sum_of(before), 0.0);
     set_size(16384, 16384);
     std::string message;
@@ -239,7 +239,7 @@ TEST_F(Extremes, PicturesThatDoNotFitLeaveTheProgramUsable) {
         << "15 GiB of primary hits fit into one buffer? " << message;
     set_size(48, 32);
     EXPECT_EQ(radiance(shot).width, 48);
-    EXPECT_EQ(trace(params(shot), renderer().scene()->features(), 4), before);
+    EXPECT_EQ(trace(params(shot), 4), before);
     record("sizes", "16,384 x 16,384 pixels on a device that cannot",
            "one message with the size, and the picture of before goes on");
 }
@@ -329,7 +329,7 @@ TEST_F(Extremes, OneBrightTexelOfSky) {
     for (const TechniqueInfo& info : technique_infos) {
         set("pt_nee", info.name);
         learn(court(), frames_to_learn);
-        const std::vector<float> seen = trace(params(court()), renderer().scene()->features(), 64);
+        const std::vector<float> seen = trace(params(court()), 64);
         EXPECT_TRUE(all_finite_nonnegative(seen)) << info.name;
         EXPECT_GT(sum_of(seen), 0.0) << info.name;
     }

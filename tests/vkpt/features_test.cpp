@@ -70,8 +70,11 @@ TEST_F(Features, AreOnWhereTheLevelHasThem) {
         vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true, true};
         everything.lights = row.features.lights;
         everything.environment = row.features.environment || !row.features.sky;
-        const std::vector<float> lean = trace(params(row.shot), row.features, 8);
-        const std::vector<float> full = trace(params(row.shot), everything, 8);
+        const auto trace_with = [&](const vkpt::SceneFeatures& features) {
+            return trace(params(row.shot), {Technique::sll, features, false, renderer().guide()}, 8,
+                         features.lights);
+        };
+        const std::vector<float> lean = trace_with(row.features), full = trace_with(everything);
         size_t differing = 0;
         double brightness = 0.0;
         for (size_t i = 0; i < lean.size(); ++i) {
@@ -82,6 +85,26 @@ TEST_F(Features, AreOnWhereTheLevelHasThem) {
         EXPECT_LT(differing, lean.size() / 200);
         EXPECT_GT(brightness, 0.0);
     }
+}
+
+TEST_F(Features, AreCompiledAsAskedFor) {
+    const auto compiled = [&](std::string_view choice) {
+        set("pt_features", choice);
+        return renderer().scene()->compiled_features(cvars().values());
+    };
+    load("opensky");
+    EXPECT_EQ(compiled("auto"), renderer().scene()->features());
+    for (const vkpt::SceneFeatureRow& row : vkpt::scene_feature_rows) {
+        vkpt::SceneFeatures expected = renderer().scene()->features();
+        expected.*row.member = true;
+        EXPECT_EQ(compiled(row.name), expected) << row.name;
+        EXPECT_TRUE(compiled("all").*row.member) << row.name;
+    }
+    // Sky and sun become lights by pt_env_nee alone.
+    set("pt_env_nee", "0");
+    load("opensky");
+    EXPECT_FALSE(compiled("all").environment);
+    EXPECT_FALSE(compiled("environment").environment);
 }
 
 TEST_F(Features, SwitchOnWithWhatAppears) {
@@ -204,7 +227,7 @@ TEST_F(Features, ABrokenLevelOrModelLeavesTheOneBefore) {
     shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
     const auto picture = [&] {
         renderer().render(shot.frame());
-        return trace(params(shot), renderer().scene()->features(), 4);
+        return trace(params(shot), 4);
     };
     const std::vector<float> before = picture();
     EXPECT_GT(sum_of(before), 0.0);

@@ -86,7 +86,7 @@ TEST_F(Firewall, CountsShowsAndStopsWhatTheSkyBrings) {
         shader::FrameParams frame = params(court());
         frame.settings.pt_view = shader::VIEW_NONFINITE;
         frame.sky_radiance = glm::vec3(planted);
-        const std::vector<float> mean = trace(frame, renderer().scene()->features(), 2);
+        const std::vector<float> mean = trace(frame, 2);
         EXPECT_TRUE(all_finite_nonnegative(mean));
         const size_t bad = marked();
         EXPECT_GT(bad, 0u);
@@ -101,7 +101,7 @@ TEST_F(Firewall, CountsShowsAndStopsWhatTheSkyBrings) {
         }
         // A frame later nothing is left of it.
         frame.sky_radiance = glm::vec3(1.0f);
-        EXPECT_GT(sum_of(trace(frame, renderer().scene()->features(), 2)), 0.0);
+        EXPECT_GT(sum_of(trace(frame, 2)), 0.0);
         EXPECT_EQ(events(), 0u);
         EXPECT_EQ(marked(), 0u);
     }
@@ -124,7 +124,7 @@ TEST_F(Firewall, CachesLearnNothingOfIt) {
         frame.frame = i;
         const float planted[] = {1.0f, infinity, not_a_number, -1e30f};
         frame.sky_radiance = glm::vec3(planted[i % 4]);
-        EXPECT_TRUE(all_finite_nonnegative(trace(frame, renderer().scene()->features(), 1)));
+        EXPECT_TRUE(all_finite_nonnegative(trace(frame, 1)));
     }
     adapt(commands);
     EXPECT_GT(events(), 0u);
@@ -188,7 +188,7 @@ TEST_F(Firewall, FiniteLightsWhoseSumsAreNot) {
 
 TEST_F(Firewall, MeansGoOnAndMarksStayWhileAccumulating) {
     load("opensky");
-    const vkpt::SceneFeatures features = (radiance(court()), renderer().scene()->features());
+    radiance(court());
     shader::FrameParams frame = params(court());
     std::vector<double> sum;
     std::vector<float> mean;
@@ -197,7 +197,7 @@ TEST_F(Firewall, MeansGoOnAndMarksStayWhileAccumulating) {
         frame.frame = i;
         frame.accumulated = 0;
         frame.sky_radiance = glm::vec3(i == 2 ? infinity : 1.0f);
-        const std::vector<float> single = trace(frame, features, 1);
+        const std::vector<float> single = trace(frame, 1);
         sum.resize(single.size(), 0.0);
         for (size_t k = 0; k < single.size(); ++k)
             sum[k] += double(single[k]);
@@ -206,7 +206,7 @@ TEST_F(Firewall, MeansGoOnAndMarksStayWhileAccumulating) {
         frame.frame = i;
         frame.accumulated = i;
         frame.sky_radiance = glm::vec3(i == 2 ? infinity : 1.0f);
-        mean = trace(frame, features, 1);
+        mean = trace(frame, 1);
         if (i == 2) bad = marked();
         if (i == 1) {
             EXPECT_EQ(marked(), 0u);

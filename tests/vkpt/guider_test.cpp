@@ -33,7 +33,7 @@ protected:
     /// Results of guider.comp for these arguments.
     static std::vector<glm::vec4> ask(uint32_t function, const std::vector<glm::vec4>& arguments) {
         vkpt::SidePass pass = test_pass(renderer(), fmt::format("guider.{}", GetParam()),
-                                        renderer().scene()->features());
+                                        renderer().compiled_features());
         pass.add_buffer(gpu::bytes_of(arguments));
         pass.add_buffer(arguments.size() * sizeof(glm::vec4));
         const auto count = static_cast<uint32_t>(arguments.size());

@@ -62,6 +62,7 @@ class LightTechniqueTest : public RenderTest,
 protected:
     void SetUp() override {
         RenderTest::SetUp();
+        set("pt_features", "all"); // one set of shaders for all scenes
         GetParam().set();
     }
 
@@ -77,7 +78,7 @@ protected:
         // The same primary hits for all: a ray may or may not stop at a window.
         shader::FrameParams frame = params(scene.shot);
         frame.frame = 1;
-        trace(frame, renderer().scene()->features(), 1);
+        trace(frame, 1);
         if (!pass_) pass_.emplace(light_technique_pass(renderer(), GetParam().technique));
     }
 

@@ -97,8 +97,7 @@ protected:
         shader::FrameParams frame = params(shot);
         for (int i = 0; i < pictures; ++i) {
             frame.settings.pt_seed = 100000 + i;
-            const std::vector<float> picture =
-                trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths));
+            const std::vector<float> picture = trace(frame, static_cast<uint32_t>(paths));
             mean.resize(picture.size(), 0.0);
             for (size_t value = 0; value < mean.size(); ++value)
                 mean[value] += static_cast<double>(picture[value]) / pictures;
@@ -206,7 +205,7 @@ TEST_F(MovingLights, SpotsShineWithinTheirCone) {
     constexpr glm::dvec3 mouth(128, 128, 130);
     shot.spots = {{1, mouth, {90, 0, 0}, 1.5f, {75000, 75000, 75000}}};
     radiance(shot);
-    const std::vector<float> seen = trace(params(shot), renderer().scene()->features(), 128);
+    const std::vector<float> seen = trace(params(shot), 128);
     const std::vector<shader::PrimaryHit> hits = gpu::download_now_as<shader::PrimaryHit>(
         renderer().device(), renderer().buffers().primary_hits(), 0, 64 * 64);
     struct Band {

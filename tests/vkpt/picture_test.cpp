@@ -101,12 +101,11 @@ TEST_F(PictureTest, ExposureAndToneCurves) {
 TEST_F(PictureTest, AccumulationIsTheMeanOfItsFrames) {
     radiance(shot_);
     constexpr uint32_t frames = 6;
-    const vkpt::SceneFeatures features = renderer().scene()->features();
     std::vector<double> mean;
     for (uint32_t i = 0; i < frames; ++i) {
         shader::FrameParams single = params(shot_);
         single.frame = 77 + i;
-        const std::vector<float> seen = trace(single, features, 1);
+        const std::vector<float> seen = trace(single, 1);
         mean.resize(seen.size());
         for (size_t k = 0; k < seen.size(); ++k)
             mean[k] += static_cast<double>(seen[k]) / frames;
@@ -116,7 +115,7 @@ TEST_F(PictureTest, AccumulationIsTheMeanOfItsFrames) {
         shader::FrameParams next = params(shot_);
         next.frame = 77 + i;
         next.accumulated = i;
-        running = trace(next, features, 1);
+        running = trace(next, 1);
     }
     for (size_t k = 0; k < mean.size(); ++k)
         ASSERT_NEAR(running[k], mean[k], 1e-5 * mean[k] + 1e-7) << k;
@@ -124,11 +123,11 @@ TEST_F(PictureTest, AccumulationIsTheMeanOfItsFrames) {
     // Paths of one frame are those of as many frames: spp and frames number them alike.
     shader::FrameParams at_once = params(shot_);
     at_once.frame = 0;
-    const std::vector<float> together = trace(at_once, features, 4);
+    const std::vector<float> together = trace(at_once, 4);
     std::vector<double> apart(together.size());
     for (uint32_t i = 0; i < 4; ++i) {
         at_once.frame = i;
-        const std::vector<float> seen = trace(at_once, features, 1);
+        const std::vector<float> seen = trace(at_once, 1);
         for (size_t k = 0; k < seen.size(); ++k)
             apart[k] += static_cast<double>(seen[k]) / 4.0;
     }
@@ -230,11 +229,10 @@ TEST_F(PictureTest, ARateThatIsReachedChangesNoPixel) {
 TEST_F(PictureTest, SameSeedSamePicture) {
     radiance(shot_);
     shader::FrameParams frame = params(shot_);
-    const vkpt::SceneFeatures features = renderer().scene()->features();
-    const std::vector<float> once = trace(frame, features, 2), again = trace(frame, features, 2);
+    const std::vector<float> once = trace(frame, 2), again = trace(frame, 2);
     EXPECT_EQ(once, again);
     frame.settings.pt_seed = 1;
-    EXPECT_NE(once, trace(frame, features, 2));
+    EXPECT_NE(once, trace(frame, 2));
 }
 
 } // namespace

@@ -40,8 +40,11 @@ public:
     void SetUp() override {
         ASSERT_TRUE(has_validation_layer())
             << "without its layer nothing is validated: install vulkan-validationlayers";
-        // The pipeline cache of the tests is not the user's.
-        const std::string cache = (std::filesystem::current_path() / "test-cache").string();
+        // The caches of the tests are not the user's. Mesa's does not tell widths of vectors apart.
+        const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
+        const std::string cache =
+            (std::filesystem::current_path() / (std::string("test-cache") + (width ? width : "")))
+                .string();
         setenv("XDG_CACHE_HOME", cache.c_str(), 1);
         shared.emplace();
         shared->files.mount_game(std::filesystem::path(VIGIL_SOURCE_DIR) / "tests" / "data",
@@ -126,7 +129,7 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
     shader::FrameParams frame = params(shot);
     for (int batch = 0; batch < batches; ++batch) {
         frame.settings.pt_seed = seed + batch;
-        result.add(trace(frame, renderer().scene()->features(), static_cast<uint32_t>(paths)));
+        result.add(trace(frame, static_cast<uint32_t>(paths)));
     }
     return result;
 }
@@ -140,7 +143,7 @@ void RenderTest::learn(const Shot& shot, int frames) {
     for (int i = 0; i <= frames; ++i) {
         adapt(commands);
         frame.frame = static_cast<uint32_t>(i);
-        if (i < frames) trace(frame, renderer().scene()->features(), 1);
+        if (i < frames) trace(frame, 1);
     }
 }
 
@@ -162,11 +165,11 @@ shader::FrameParams RenderTest::params(const Shot& shot) {
     return params;
 }
 
-std::vector<float> RenderTest::trace(const shader::FrameParams& params,
-                                     const vkpt::SceneFeatures& features, uint32_t paths,
+std::vector<float> RenderTest::trace(const shader::FrameParams& params, uint32_t paths,
                                      LightSamples light_samples) {
     const auto technique = static_cast<Technique>(cvars()->pt_nee);
-    return trace(params, {technique, features, false, renderer().guide()}, paths,
+    return trace(params, {technique, renderer().compiled_features(), false, renderer().guide()},
+                 paths,
                  light_samples == LightSamples::All && renderer().technique()->samples_lights());
 }
 

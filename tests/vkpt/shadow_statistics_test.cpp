@@ -72,12 +72,12 @@ TEST_F(ShadowStatistics, WasteFewerRays) {
 TEST_F(ShadowStatistics, AreNotReadInTheFrameThatWritesThem) {
     set("pt_sll_stats", "1");
     learn(shot_, frames_to_learn);
-    const std::vector<float> first = trace(params(shot_), renderer().scene()->features(), 2);
-    EXPECT_EQ(trace(params(shot_), renderer().scene()->features(), 2), first);
+    const std::vector<float> first = trace(params(shot_), 2);
+    EXPECT_EQ(trace(params(shot_), 2), first);
     // They are in the next.
     gpu::FrameCommands commands(renderer().device());
     adapt(commands);
-    EXPECT_NE(trace(params(shot_), renderer().scene()->features(), 2), first);
+    EXPECT_NE(trace(params(shot_), 2), first);
 }
 
 TEST_F(ShadowStatistics, OutliveLightsThatComeAndGo) {

@@ -208,7 +208,7 @@ void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
 }
 
 std::vector<PictureSide> VkptRenderer::picture_sides() const {
-    const SceneFeatures features = scene_->features();
+    const SceneFeatures features = compiled_features();
     const auto describe = [&](const Side& side, uint32_t first, uint32_t end, bool filtered) {
         return PictureSide{{side.id(), features, use_ray_query(settings_), side.guide()},
                            side.technique()->samples_lights() && features.lights,

@@ -60,6 +60,8 @@ public:
     void record_picture(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
                         const shader::FrameParams& params, uint32_t paths);
     Scene* scene() { return scene_.get(); }
+    /// Those that shaders of the last frame were compiled for.
+    SceneFeatures compiled_features() const { return scene_->compiled_features(settings_); }
     // Of the picture, or, while pt_compare splits it, of its left side.
     LightTechnique* technique() { return left_.technique(); }
     Guiding& guiding() { return left_.guiding(); }

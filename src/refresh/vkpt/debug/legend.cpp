@@ -19,7 +19,7 @@ constexpr int bar_steps = 96;
 constexpr float letter_pixels = 13.0f; // for which ImGui's own font is drawn
 constexpr float pixels_per_scale = 720.0f;
 constexpr glm::vec3 ground{0.045f, 0.05f, 0.06f};
-constexpr glm::vec3 ink{0.9f, 0.9f, 0.87f};
+constexpr glm::vec3 text_color{0.9f, 0.9f, 0.87f};
 
 std::string_view name_of(Technique technique) {
     return technique_infos[static_cast<size_t>(technique)].name;
@@ -104,12 +104,13 @@ public:
 
     /// Draws with the text's upper left corner at `place`.
     void draw(LegendPixels& pixels, glm::uvec2 place, std::string_view text) const {
-        float pen = static_cast<float>(place.x);
+        float baseline_x = static_cast<float>(place.x);
         for (const char letter : text) {
             const ImFontGlyph& shape = glyph(letter);
             blend(pixels, shape,
-                  glm::ivec2(std::lround(pen + shape.X0), static_cast<float>(place.y) + shape.Y0));
-            pen += shape.AdvanceX;
+                  glm::ivec2(std::lround(baseline_x + shape.X0),
+                             static_cast<float>(place.y) + shape.Y0));
+            baseline_x += shape.AdvanceX;
         }
     }
 
@@ -136,7 +137,7 @@ private:
                 const uint8_t covered = coverage_[(first.y + y) * width_ + first.x + x];
                 const float part = static_cast<float>(covered) / 255.0f;
                 pixels.rgba[static_cast<size_t>(to.y) * pixels.width + static_cast<size_t>(to.x)] =
-                    glm::packUnorm4x8(glm::vec4(glm::mix(ground, ink, part), 1.0f));
+                    glm::packUnorm4x8(glm::vec4(glm::mix(ground, text_color, part), 1.0f));
             }
         }
     }
@@ -194,7 +195,7 @@ void draw_bar(LegendPixels& pixels, const LegendContent& content, const Letters&
         const float along = std::clamp(mark.place, 0.0f, 1.0f);
         const auto place =
             static_cast<uint32_t>(along * static_cast<float>(layout.bar_width - scale));
-        fill(pixels, {layout.pad + place, top + layout.bar_height}, {scale, 2 * scale}, ink);
+        fill(pixels, {layout.pad + place, top + layout.bar_height}, {scale, 2 * scale}, text_color);
         const uint32_t width = letters.width_of(mark.text);
         const uint32_t half = std::min(place, width / 2);
         const uint32_t left = std::min(place - half, layout.bar_width - width);
@@ -289,7 +290,8 @@ LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height) 
     }
     for (const LegendContent::Class& row : content.classes) {
         // Framed: classes may be as dark as the ground.
-        fill(pixels, {layout.pad, y + 2 * scale}, {layout.swatch, layout.swatch}, 0.5f * ink);
+        fill(pixels, {layout.pad, y + 2 * scale}, {layout.swatch, layout.swatch},
+             0.5f * text_color);
         fill(pixels, {layout.pad + scale, y + 3 * scale},
              {layout.swatch - 2 * scale, layout.swatch - 2 * scale}, row.color);
         letters.draw(pixels, {2 * layout.pad + layout.swatch, y}, row.text);

@@ -14,17 +14,10 @@ size_t crosshair_side(std::span<const PictureSide> sides, glm::uvec2 picture_siz
 
 std::vector<gpu::Specialization> specialization(const SceneFeatures& features,
                                                 const GuideChoice& guide) {
-    return {{CONSTANT_INSTANCES, features.instances},
-            {CONSTANT_TRANSLUCENT, features.translucent},
-            {CONSTANT_SKY, features.sky},
-            {CONSTANT_SUN, features.sun},
-            {CONSTANT_GLOSS, features.gloss},
-            {CONSTANT_LIQUID, features.liquid},
-            {CONSTANT_ANIMATION, features.animation},
-            {CONSTANT_LIGHTS, features.lights},
-            {CONSTANT_EFFECTS, features.effects},
-            {CONSTANT_ENVIRONMENT, features.environment},
-            {CONSTANT_GUIDER_SIZE, guide.size}};
+    std::vector<gpu::Specialization> constants{{CONSTANT_GUIDER_SIZE, guide.size}};
+    for (const SceneFeatureRow& row : scene_feature_rows)
+        constants.push_back({row.constant, features.*row.member});
+    return constants;
 }
 
 void choose_variant(ComputePass& pass, const PathTracerVariant& variant, CompiledFor rows,

@@ -109,7 +109,7 @@ void LightSet::write(uint32_t id, const LightSource& source, const glm::mat4x3& 
 void LightSet::replace(uint32_t id, shader::Light light) {
     if (!is_usable(light)) {
         light = {};
-        if (!std::exchange(told_, true))
+        if (!std::exchange(reported_not_finite_, true))
             log_warning("light {}: its place or its radiance is not finite, or is negative: it "
                         "stays dark, and so do others like it",
                         id);

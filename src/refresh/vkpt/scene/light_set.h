@@ -90,7 +90,7 @@ private:
     std::vector<shader::Light> lights_;
     std::map<uint64_t, Slot> slots_;
     std::vector<Slot> free_;
-    bool told_ = false; // of a light that stays dark because it is not finite
+    bool reported_not_finite_ = false; // of a light that stays dark because it is not finite
     std::vector<float> styles_;
     float scale_ = 1.0f;
     Environment environment_;

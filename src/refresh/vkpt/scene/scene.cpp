@@ -349,7 +349,7 @@ void Scene::add_model(size_t placed_index, const glm::mat4x3& transform, const g
                             : 0.0f;
     if (const auto first_light = lights_.place(key, lights_of(placed), transform, share * tint))
         add_instance(placed, placed_index, transform, *first_light, key, entity, look);
-    else if (!std::exchange(told_of_lights_, true))
+    else if (!std::exchange(reported_no_room_, true))
         log_warning("{}: its entities have more than {} lights; those beyond are not shown",
                     level_->bsp.name, max_moving_lights);
 }
@@ -528,6 +528,14 @@ void Scene::update_features(bool any_instances) {
     features.environment = features.sky && environment_on_;
     features.instances = any_instances;
     features_ = features;
+}
+
+SceneFeatures Scene::compiled_features(const refresh::Settings& settings) const {
+    SceneFeatures features = features_;
+    for (const SceneFeatureRow& row : scene_feature_rows)
+        features.*row.member |= forces_feature(settings.pt_features, row);
+    features.environment &= environment_on_;
+    return features;
 }
 
 Scene::TriangleRange Scene::instance_triangles(size_t instance) const {

@@ -13,29 +13,14 @@
 #include "refresh/vkpt/scene/sky_description.h"
 #include "refresh/vkpt/scene/top_level.h"
 
+#include "shared/features.h"
+
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace vigil::vkpt {
-
-/// What a level uses; each becomes a specialisation constant, so that a pass without it has no code
-/// for it.
-struct SceneFeatures {
-    bool sky = false;
-    bool sun = false;
-    bool translucent = false;
-    bool gloss = false;
-    bool liquid = false;
-    bool animation = false;
-    bool lights = false;
-    bool environment = false; // sky and sun are sampled as lights
-    bool instances = false;
-    bool effects =
-        false; // what frames, not levels, bring: fading, glow, sprites, what some rays miss
-    bool operator==(const SceneFeatures&) const = default;
-};
 
 /// Whether a beam has any extent.
 inline bool is_visible(const refresh::Beam& beam) {
@@ -73,6 +58,9 @@ public:
 
     const Level& level() const { return *level_; }
     const SceneFeatures& features() const { return features_; }
+    /// Those that shaders are compiled for: the scene's own, and what pt_features adds. Sky and sun
+    /// are lights only where pt_env_nee makes them so.
+    SceneFeatures compiled_features(const refresh::Settings& settings) const;
     const SkyDescription& sky() const { return sky_; }
     const LightSet& lights() const { return lights_; }
     /// Of the static world's triangles.
@@ -203,7 +191,7 @@ private:
     LightSet lights_;
     uint64_t uploaded_light_revision_ = 0;
     uint64_t seen_light_revision_ = 0;
-    bool told_of_lights_ = false; // that there was no room for some
+    bool reported_no_room_ = false; // that there was no room for some
     uint64_t revision_ = 1;
     std::vector<std::byte> instance_bytes_; // of the frame before, to see changes
 
