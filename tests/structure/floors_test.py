@@ -24,7 +24,7 @@ FLOORS = [
     ["src/formats"],
     ["src/level"],
     ["src/refresh"],
-    ["src/third_party", "src/refresh/vkpt/gpu", "src/console", "src/platform", "src/game"],
+    ["src/third_party", "src/refresh/vkpt/gpu", "src/refresh/preview", "src/console", "src/platform", "src/game"],
     ["src/refresh/vkpt/scene", "src/client/measure"],
     ["src/refresh/vkpt/light", "src/refresh/vkpt/guiding", "src/client/play"],
     ["src/refresh/vkpt/pathtrace", "src/client/demo", "src/client/ui"],
