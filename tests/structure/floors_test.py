@@ -30,7 +30,7 @@ FLOORS = [
     ["src/refresh/vkpt/pathtrace", "src/client/demo", "src/client/ui"],
     ["src/refresh/vkpt/filter", "src/refresh/vkpt/post", "src/refresh/vkpt/debug", "src/refresh/vkpt/export"],
     ["src/refresh/vkpt", "src/client"],
-    ["src/bench"],
+    ["src/bench", "src/refresh/yamagi"],
     ["src"],
 ]
 HEIGHT = {folder: height for height, floor in enumerate(FLOORS) for folder in floor}
