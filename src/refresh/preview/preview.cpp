@@ -75,7 +75,8 @@ void fill(Canvas& canvas, const std::array<Corner, 3>& corners, const Image& ski
             const glm::vec2 point(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
             const float wa = -cross(b.place - point, c.place - point) / area;
             const float wb = -cross(c.place - point, a.place - point) / area;
-            const float wc = 1.0f - wa - wb;
+            // Not 1 - wa - wb: a point on an edge is in one of the two triangles that share it.
+            const float wc = -cross(a.place - point, b.place - point) / area;
             if (wa < 0.0f || wb < 0.0f || wc < 0.0f) continue;
             const float nearness = wa * a.nearness + wb * b.nearness + wc * c.nearness;
             const size_t index = static_cast<size_t>(y) * static_cast<size_t>(canvas.size.x) +

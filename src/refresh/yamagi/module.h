@@ -6,6 +6,7 @@
 
 #include "client/measure/count_statistics.h"
 #include "client/measure/pass_statistics.h"
+#include "common/log.h"
 #include "refresh/preview/preview.h"
 #include "refresh/yamagi/level_view.h"
 #include "refresh/yamagi/sdl_window.h"
