@@ -15,6 +15,10 @@ using refresh::particle_radiance;
 // A dynamic light of radius R as docs/units.md has it: a ball of R / 25 with radiance 11.4 R.
 constexpr float light_size = 1.0f / 25.0f, light_radiance = 11.4f;
 
+/// Sparks are drawn with this part of full brightness: more would be white, whatever their colour.
+constexpr float spark_brightness = 0.2f;
+constexpr float spark_size = 0.7f; // map units
+
 /// What an entity shines at least with the flag for it: a part of full brightness.
 constexpr float min_light = 0.02f;
 /// Things to pick up glow and fade in this much of full brightness, so many radians per second.
@@ -106,7 +110,7 @@ void LevelView::forget() {
 }
 
 void LevelView::read(const EngineView& view, glm::ivec2 screen, Models& models,
-                     const Screen& colors) {
+                     const Screen& colors, float light_brightness) {
     time_s_ = static_cast<double>(view.time_s);
     view_.origin = vec(view.origin);
     view_.angles = vec(view.angles);
@@ -121,7 +125,7 @@ void LevelView::read(const EngineView& view, glm::ivec2 screen, Models& models,
         styles_.at(i) = std::max((rgb[0] + rgb[1] + rgb[2]) / 3.0f, 0.0f);
     }
     read_entities(list(view.entities, view.entity_count), view, models, colors);
-    read_lights(list(view.lights, view.light_count), time_s_);
+    read_lights(list(view.lights, view.light_count), time_s_, light_brightness);
     read_particles(list(view.particles, view.particle_count), colors);
 }
 
@@ -152,7 +156,7 @@ void LevelView::read_entities(std::span<const ViewEntity> entities, const Engine
         beams_[i].id = ids[i];
 }
 
-void LevelView::read_lights(std::span<const ViewLight> lights, double time_s) {
+void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, float brightness) {
     lights_.clear();
     seen_.clear();
     for (const ViewLight& light : lights) {
@@ -162,7 +166,7 @@ void LevelView::read_lights(std::span<const ViewLight> lights, double time_s) {
         refresh::DynamicLight& shown = lights_.emplace_back();
         shown.origin = vec(light.origin);
         shown.radius = light_size * light.intensity;
-        shown.radiance = light_radiance * light.intensity * color;
+        shown.radiance = brightness * light_radiance * light.intensity * color;
         shown.visible = false;
         const glm::uvec3 hue(glm::round(16.0f * glm::min(color, glm::vec3(8.0f))));
         seen_.push_back({hue.x | hue.y << 8 | hue.z << 16, shown.origin, std::nullopt, 0, 0});
@@ -177,7 +181,8 @@ void LevelView::read_particles(std::span<const ViewParticle> particles, const Sc
     for (const ViewParticle& source : particles) {
         refresh::Particle& particle = particles_.emplace_back();
         particle.origin = vec(source.origin);
-        particle.color = colors.linear_color(source.color);
+        particle.size = spark_size;
+        particle.color = spark_brightness * colors.linear_color(source.color);
         particle.alpha = std::clamp(source.alpha, 0.0f, 1.0f);
     }
 }

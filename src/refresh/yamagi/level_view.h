@@ -14,8 +14,10 @@ namespace vigil::yamagi {
 
 class LevelView {
 public:
-    /// Takes over what the view shows. `screen` is the size that the engine draws for.
-    void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors);
+    /// Takes over what the view shows. `screen` is the size that the engine draws for;
+    /// `light_brightness` a factor on the radiance of dynamic lights.
+    void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors,
+              float light_brightness);
     /// Another level: numbers begin anew.
     void forget();
 
@@ -25,7 +27,7 @@ public:
 private:
     void read_entities(std::span<const ViewEntity> entities, const EngineView& view, Models& models,
                        const Screen& colors);
-    void read_lights(std::span<const ViewLight> lights, double time_s);
+    void read_lights(std::span<const ViewLight> lights, double time_s, float brightness);
     void read_particles(std::span<const ViewParticle> particles, const Screen& colors);
 
     refresh::View view_;

@@ -20,6 +20,9 @@ namespace {
 constexpr int mode_of_desktop = -2, mode_of_person = -1;
 constexpr const char* first_mode = "4"; // 640 x 480
 
+// The game's own lights are as bright as a level whose light maps are bright; most are not.
+constexpr const char* dlight_scale = "0.25";
+
 const client::PassSum sums[] = {{refresh::PassGroup::Preparation, "= preparation"},
                                 {refresh::PassGroup::PathTracing, "= path tracing"},
                                 {refresh::PassGroup::Filter, "= filter"}};
@@ -200,7 +203,8 @@ void Module::render_view(const EngineView& view) {
         screen_.made(corner, size, painter_.draw(preview), previews_++);
         return;
     }
-    view_.read(view, size_, models_, screen_);
+    const float lights = engine_.value("vigil_dlight_scale", dlight_scale, variable_archived);
+    view_.read(view, size_, models_, screen_, std::max(lights, 0.0f));
     level_seen_ = true;
     const float(&blend)[4] = view.blend;
     if (blend[3] > 0.0f)

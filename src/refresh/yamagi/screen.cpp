@@ -18,10 +18,15 @@ constexpr int film_slot = -1; // of made pictures; previews count from 0
 constexpr float fade_opacity = 0.6f;
 constexpr int character_pixels = 8, characters_in_row = 16;
 
-/// Where pics/colormap.pcx is missing: about the colours that the game's effects mean.
+/// Where pics/colormap.pcx is missing: 16 greys from black to white, then about the colours that
+/// the game's effects mean.
 Palette own_palette() {
     Palette palette{};
     for (size_t i = 0; i < palette.size(); ++i) {
+        if (i < 16) {
+            palette.at(i).fill(static_cast<uint8_t>(17 * i));
+            continue;
+        }
         const glm::vec3 color = palette_color(static_cast<uint8_t>(i));
         for (size_t part = 0; part < 3; ++part) {
             const float linear = color[static_cast<glm::length_t>(part)];
