@@ -58,9 +58,13 @@ def characters() -> Picture:
                 picture.fill(x + 2, y + row, 4 - abs(3 - row), 1, top)
         for number, letter in ((16, "["), (17, "]")):
             picture.letter(letter, at(number)[0] + 1, at(number)[1], 1, AMBER, RUST)
-        for digit in range(10):
-            x, y = at(18 + digit)
-            picture.letter(str(digit), x + 1, y, 1, AMBER, RUST)
+        for number in (18, 19, 20, 24, 25, 26):  # around a line of input: above and below, left, middle and right
+            x, y = at(number)
+            side, above = (number - 18) % 3 - 1, number < 24
+            left, right = (3 if side < 0 else 0), (5 if side > 0 else 8)
+            picture.fill(x + left, y + (1 if above else 6), right - left, 1, GREY)
+            if side != 0:
+                picture.fill(x + (3 if side < 0 else 4), y + (1 if above else 0), 1, 7, GREY)
         for number in (29, 30, 31):  # a line: left end, middle, right end
             x, y = at(number)
             picture.fill(x + (2 if number == 29 else 0), y + 3, 8 - (2 if number != 30 else 0), 2, top)

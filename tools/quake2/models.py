@@ -142,12 +142,12 @@ def still(frame: int, box: Box) -> list[Move]:
 def body(helmet: int, cloth: int) -> list[Box]:
     """24 units wide, from its feet at -24 to 30; it looks along +x."""
     return [
-        Box((-4, 2, -24), (5, 8, -4), BOOT, "left leg"), Box((-4, -8, -24), (5, -2, -4), BOOT, "right leg"),
-        Box((-4, 2, -12), (4, 8, -2), cloth, "left leg"), Box((-4, -8, -12), (4, -2, -2), cloth, "right leg"),
+        Box((-4.5, 1.5, -24), (6, 8.5, -14), BOOT, "left leg"), Box((-4.5, -8.5, -24), (6, -1.5, -14), BOOT, "right leg"),
+        Box((-4, 2, -14.5), (4, 8, -2), cloth, "left leg"), Box((-4, -8, -14.5), (4, -2, -2), cloth, "right leg"),
         Box((-6, -9, -3), (6, 9, 18), cloth, "trunk"), Box((-8, -7, 2), (-6, 7, 15), DARK, "trunk"),
-        Box((5, -6, 4), (7, 6, 14), STEEL, "trunk"), Box((-6, -10, -4), (6, 10, -1), STRAP, "trunk"),
-        Box((-4, -4, 19), (5, 4, 27), SKIN_TONE, "head"), Box((-5, -5, 24), (5, 5, 30), helmet, "head"),
-        Box((5, -3, 22), (6, 3, 25), GLASS, "head"),
+        Box((5, -6, 4), (7, 6, 14), STEEL, "trunk"), Box((-6.5, -10, -4), (6.5, 10, -1), STRAP, "trunk"),
+        Box((-4, -4, 19), (5, 4, 27), SKIN_TONE, "head"), Box((-5, -5, 25.5), (5.5, 5, 30), helmet, "head"),
+        Box((4.5, -3, 22), (6, 3, 25), GLASS, "head"),
         Box((-3, 9, 3), (3, 14, 17), cloth, "left arm"), Box((0, 9, 3), (14, 13, 7), SKIN_TONE, "left arm"),
         Box((-3, -14, 3), (3, -9, 17), cloth, "right arm"), Box((0, -13, 3), (12, -9, 7), SKIN_TONE, "right arm")]
 

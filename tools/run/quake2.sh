@@ -101,6 +101,8 @@ quake2() {
     data=''
     note "no game data found (VIGIL_QUAKE2=FOLDER says where): levels and a little game of Vigil's own"
     arguments=(-datadir "$folder" +set s_initsound 0)
+    # Without a command the engine waits for a film that is not there.
+    if [ $# = 0 ]; then set -- +menu_main; fi
   fi
   lay_out "$engine" "$folder" "$data" || die "quake2: cannot make $folder"
   mkdir -p "${XDG_DATA_HOME:-$HOME/.local/share}" # which versions since 8.70 expect

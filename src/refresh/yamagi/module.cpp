@@ -21,7 +21,7 @@ constexpr int mode_of_desktop = -2, mode_of_person = -1;
 constexpr const char* first_mode = "4"; // 640 x 480
 
 // The game's own lights are as bright as a level whose light maps are bright; most are not.
-constexpr const char* dlight_scale = "0.25";
+constexpr const char* dlight_scale = "0.1";
 
 const client::PassSum sums[] = {{refresh::PassGroup::Preparation, "= preparation"},
                                 {refresh::PassGroup::PathTracing, "= path tracing"},
