@@ -165,6 +165,7 @@ struct Frame {
     std::span<const Particle> particles;
     std::array<float, light_style_count> light_styles{};
     std::span<const Draw> draws;   // part of the picture; also before a level is loaded, over black
+    bool show_level = true;        // false: as before a level is loaded: a film, a menu
     ImDrawData* overlay = nullptr; // console and menus, drawn over the picture; may be null
     bool uncapped = false;         // the display is not waited for, whatever vid_vsync says
 };
@@ -274,6 +275,13 @@ public:
     /// Handle of a picture for Draw, any image file ("pics/tag1.pcx", "textures/a.png"); loads it
     /// on first use. Levels come and go, pictures stay. Throws Error naming the file and the fault.
     virtual PictureHandle register_picture(std::string_view name) = 0;
+    /// Handle of a picture that the front end makes itself: a film, the preview of a model. Each
+    /// call makes another; it is transparent until change_picture says what it shows. Throws Error
+    /// if a side is not 1 to 4,096 texels.
+    virtual PictureHandle make_picture(glm::ivec2 size) = 0;
+    /// What a picture shows from the next frame on, whoever made it: RGBA, sRGB, rows from the top.
+    /// Throws Error if there is no such picture, or if it has another number of texels.
+    virtual void change_picture(PictureHandle picture, std::span<const uint8_t> rgba) = 0;
     /// Its size in texels. Throws Error if there is no such picture.
     virtual glm::ivec2 picture_size(PictureHandle picture) const = 0;
 

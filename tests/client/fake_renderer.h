@@ -60,6 +60,8 @@ public:
     refresh::SkinHandle register_skin(std::string_view) override { return 0; }
     void set_sky(std::string_view, float, glm::vec3) override {}
     refresh::PictureHandle register_picture(std::string_view) override { return 0; }
+    refresh::PictureHandle make_picture(glm::ivec2) override { return 0; }
+    void change_picture(refresh::PictureHandle, std::span<const uint8_t>) override {}
     glm::ivec2 picture_size(refresh::PictureHandle) const override { return {1, 1}; }
     void watch_compilation(refresh::CompilationWatcher* watcher) override { watcher_ = watcher; }
     uint64_t render(const refresh::Frame& frame) override {

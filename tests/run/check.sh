@@ -10,7 +10,7 @@ die() {
   printf 'run: %s\n' "$*" >&2
   exit 1
 }
-for part in cache packages sources driver build tests skips fuzz; do
+for part in cache packages sources driver build tests skips fuzz quake2; do
   # shellcheck source=/dev/null
   source "tools/run/$part.sh"
 done

@@ -24,13 +24,13 @@ FLOORS = [
     ["src/formats"],
     ["src/level"],
     ["src/refresh"],
-    ["src/third_party", "src/refresh/vkpt/gpu", "src/console", "src/platform", "src/game"],
+    ["src/third_party", "src/refresh/vkpt/gpu", "src/refresh/preview", "src/console", "src/platform", "src/game"],
     ["src/refresh/vkpt/scene", "src/client/measure"],
     ["src/refresh/vkpt/light", "src/refresh/vkpt/guiding", "src/client/play"],
     ["src/refresh/vkpt/pathtrace", "src/client/demo", "src/client/ui"],
     ["src/refresh/vkpt/filter", "src/refresh/vkpt/post", "src/refresh/vkpt/debug", "src/refresh/vkpt/export"],
     ["src/refresh/vkpt", "src/client"],
-    ["src/bench"],
+    ["src/bench", "src/refresh/yamagi"],
     ["src"],
 ]
 HEIGHT = {folder: height for height, floor in enumerate(FLOORS) for folder in floor}

@@ -33,29 +33,36 @@ own_apt() {
   APT_CONFIG=$folder/apt.conf apt-get -q "${only_signed[@]}" "$@" </dev/null
 }
 
-# fetch_mesa HOME: the driver of bookworm-backports, put together in HOME.part and then moved to HOME. Debian's signature is
-# checked.
-fetch_mesa() {
-  local home=$1 part=$1.part mirror keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-  mirror=$(mirror_of bookworm)
+# make_own_apt FOLDER SUITE COMPONENT: makes the folder anew for own_apt, with that part of Debian as its only source. Fails
+# where this system installs nothing from Debian.
+make_own_apt() {
+  local folder=$1 suite=$2 component=$3 mirror keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+  mirror=$(mirror_of "${suite%%-*}")
   if [ -z "$mirror" ] || [ ! -r $keyring ]; then return 1; fi
-  rm -rf "$part"
-  mkdir -m 700 "$part" || return 1
-  mkdir -p "$part"/{state,lists/partial,cache/archives/partial,files} || return 1
-  echo "deb [signed-by=$keyring] $mirror bookworm-backports main" >"$part/sources.list"
-  cat >"$part/apt.conf" <<CONF
-Dir::Etc::sourcelist "$part/sources.list";
+  rm -rf "$folder"
+  mkdir -m 700 "$folder" || return 1
+  mkdir -p "$folder"/{state,lists/partial,cache/archives/partial,files} || return 1
+  echo "deb [signed-by=$keyring] $mirror $suite $component" >"$folder/sources.list"
+  cat >"$folder/apt.conf" <<CONF
+Dir::Etc::sourcelist "$folder/sources.list";
 Dir::Etc::sourceparts "/dev/null";
 Dir::Etc::preferencesparts "/dev/null";
-Dir::State "$part/state";
-Dir::State::lists "$part/lists";
+Dir::State "$folder/state";
+Dir::State::lists "$folder/lists";
 Dir::State::status "/var/lib/dpkg/status";
-Dir::Cache "$part/cache";
+Dir::Cache "$folder/cache";
 APT::Sandbox::User "$(id -un)";
 Acquire::Languages "none";
 Acquire::IndexTargets::deb::DEP-11::DefaultEnabled "false";
 Acquire::http::Timeout "20";
 CONF
+}
+
+# fetch_mesa HOME: the driver of bookworm-backports, put together in HOME.part and then moved to HOME. Debian's signature is
+# checked.
+fetch_mesa() {
+  local home=$1 part=$1.part
+  make_own_apt "$part" bookworm-backports main || return 1
   local log=$part/log driver
   own_apt "$part" update >"$log" 2>&1 || return 1
   (cd "$part" && own_apt "$part" download mesa-vulkan-drivers/bookworm-backports) >>"$log" 2>&1 || return 1

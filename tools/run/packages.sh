@@ -27,6 +27,7 @@ tests   | rays are not compared with Embree's | libembree-dev                   
 tests   | formatting is not checked     | clang-format                               | clang-tools-extra                 | clang
 tests   | clang-tidy looks for no faults | clang-tidy                               | clang-tools-extra                 | clang
 tests   | page, plots and faults are not tested | python3                            | python3                           | python
+game    |                               | python3                                    | python3                           | python
 fuzz    | no fuzzing                    | clang libclang-rt-dev/clang                | clang compiler-rt                 | clang compiler-rt
 bench   |                               | libcli11-dev libboost-dev                  | cli11-devel boost-devel           | cli11 boost
 bench   | `bench trace` has nothing to compare with | libembree-dev                  | embree-devel                      | embree

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "formats/dm2_message.h"
+#include "formats/game_palette.h"
 #include "refresh/refresh.h"
 
 namespace vigil::client {
@@ -47,9 +48,7 @@ Burst burst_of(const dm2::TempEntity& effect);
 /// The glowing ball of an effect.
 refresh::DynamicLight dynamic_light(uint32_t id, const glm::vec3& origin, const EffectLight& light);
 
-/// Colour of a palette index, roughly: the game's palette belongs to the game. Beams of lasers use
-/// four of them.
-glm::vec3 palette_color(uint8_t index);
+/// The colour of a laser: the mean of four of the game's palette (formats/game_palette.h).
 glm::vec3 laser_color(uint32_t skin);
 
 } // namespace vigil::client

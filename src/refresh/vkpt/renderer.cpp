@@ -345,7 +345,8 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     // Whoever goes on after a frame that failed (a command) would miss what it was to copy.
     if (frame_unfinished_) fail("the frame before this one failed");
     frame_unfinished_ = true;
-    if (scene_) {
+    const bool traces = scene_ && frame.show_level;
+    if (traces) {
         // Bring scene and technique to this frame.
         follow_environment_setting();
         select_sides();
@@ -359,7 +360,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         overlay = await_pipelines(overlay);
     }
     commands.begin();
-    if (scene_) {
+    if (traces) {
         shader::FrameParams params = frame_params(frame);
         update_accumulation(params);
         {
@@ -391,6 +392,7 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     } else {
         traced_ = !frame.draws.empty();
         if (traced_) record_black(commands);
+        shown_ = {};
     }
     draws_.record(commands);
     present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);

@@ -39,6 +39,12 @@ public:
     refresh::PictureHandle register_picture(std::string_view name) override {
         return draws_.register_picture(files_, name);
     }
+    refresh::PictureHandle make_picture(glm::ivec2 size) override {
+        return draws_.make_picture(size);
+    }
+    void change_picture(refresh::PictureHandle picture, std::span<const uint8_t> rgba) override {
+        draws_.change_picture(picture, rgba);
+    }
     glm::ivec2 picture_size(refresh::PictureHandle picture) const override {
         return draws_.size_of(picture);
     }

@@ -16,6 +16,9 @@ namespace {
 /// So that looking for common pixels stays cheap.
 constexpr uint32_t most_in_batch = 256;
 
+/// Texels of a side of a picture that has no file.
+constexpr int largest_made = 4096;
+
 bool overlap(const shader::DrawRect& a, const shader::DrawRect& b) {
     return glm::all(glm::lessThan(a.shown_from, b.shown_to)) &&
            glm::all(glm::lessThan(b.shown_from, a.shown_to));
@@ -38,14 +41,33 @@ refresh::PictureHandle Draws::register_picture(const FileSystem& files, std::str
     const auto known = handles_.find(name);
     if (known != handles_.end()) return known->second;
     const Image image = decode_image(name, files.read(name));
-    const size_t first = texels_.size();
-    texels_.resize(first + image.rgba.size() / 4);
-    std::memcpy(&texels_[first], image.rgba.data(), image.rgba.size());
-    pictures_.push_back({static_cast<uint32_t>(first), {image.width, image.height}});
-    new_texels_ = true;
-    const auto handle = static_cast<refresh::PictureHandle>(pictures_.size() - 1);
+    const refresh::PictureHandle handle = keep({image.width, image.height});
+    std::memcpy(&texels_[picture(handle).first_texel], image.rgba.data(), image.rgba.size());
     handles_.emplace(name, handle);
     return handle;
+}
+
+refresh::PictureHandle Draws::keep(glm::uvec2 size) {
+    const size_t first = texels_.size();
+    texels_.resize(first + size_t{size.x} * size.y);
+    pictures_.push_back({static_cast<uint32_t>(first), size});
+    new_texels_ = true;
+    return static_cast<refresh::PictureHandle>(pictures_.size() - 1);
+}
+
+refresh::PictureHandle Draws::make_picture(glm::ivec2 size) {
+    if (size.x < 1 || size.y < 1 || size.x > largest_made || size.y > largest_made)
+        fail("a picture of {} x {} texels: sides are 1 to {}", size.x, size.y, largest_made);
+    return keep(glm::uvec2(size));
+}
+
+void Draws::change_picture(refresh::PictureHandle handle, std::span<const uint8_t> rgba) {
+    const Picture& changed = picture(handle);
+    if (rgba.size() != 4 * size_t{changed.size.x} * changed.size.y)
+        fail("picture {}: {} x {} texels, not {} bytes", handle, changed.size.x, changed.size.y,
+             rgba.size());
+    std::memcpy(&texels_[changed.first_texel], rgba.data(), rgba.size());
+    changed_.insert(handle);
 }
 
 const Draws::Picture& Draws::picture(refresh::PictureHandle handle) const {
@@ -97,6 +119,7 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
         device_.wait_idle();
         texel_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(texels_), "pictures");
         new_texels_ = false;
+        changed_.clear();
         rebind = true;
     }
     if (!rebind) return;
@@ -110,6 +133,13 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
 void Draws::record(gpu::FrameCommands& commands) {
     if (rects_.empty()) return;
     rect_buffer_.upload(commands);
+    for (const refresh::PictureHandle handle : changed_) {
+        const Picture& changed = picture(handle);
+        const size_t count = size_t{changed.size.x} * changed.size.y;
+        commands.upload(texel_buffer_, uint64_t{4} * changed.first_texel,
+                        gpu::bytes_of(std::span(&texels_[changed.first_texel], count)));
+    }
+    changed_.clear();
     const VkDescriptorSet set = set_.handle();
     for (const Batch& batch : batches_) {
         const Push push{batch.first, width_};

@@ -10,6 +10,8 @@
 #include "shared/draw.h"
 
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,12 @@ public:
 
     /// Handle of a picture file; loads it at first. Throws Error naming the file and the fault.
     refresh::PictureHandle register_picture(const FileSystem& files, std::string_view name);
+    /// Handle of a new picture that is transparent. Throws Error if a side is not 1 to 4,096
+    /// texels.
+    refresh::PictureHandle make_picture(glm::ivec2 size);
+    /// Gives it other texels, RGBA8. Throws Error if there is no such picture or if their number
+    /// is another.
+    void change_picture(refresh::PictureHandle picture, std::span<const uint8_t> rgba);
     /// In texels. Throws Error if there is no such picture.
     glm::ivec2 size_of(refresh::PictureHandle picture) const;
 
@@ -36,6 +44,7 @@ private:
         glm::uvec2 size{0, 0};
     };
     const Picture& picture(refresh::PictureHandle handle) const;
+    refresh::PictureHandle keep(glm::uvec2 size);
     void add(const refresh::Draw& draw, glm::ivec2 screen);
 
     const gpu::Device& device_;
@@ -43,6 +52,7 @@ private:
     std::vector<Picture> pictures_;
     std::vector<uint32_t> texels_; // of all pictures, RGBA8
     bool new_texels_ = false;
+    std::set<refresh::PictureHandle> changed_; // since the texels were copied
     gpu::Buffer texel_buffer_;
     gpu::Buffer unused_;
     gpu::GrowingBuffer rect_buffer_;

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "refresh/yamagi/level_view.h"
+
+#include "formats/game_palette.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vigil::yamagi {
+
+namespace {
+
+using refresh::particle_radiance;
+
+// A dynamic light of radius R as docs/units.md has it: a ball of R / 25 with radiance 11.4 R.
+constexpr float light_size = 1.0f / 25.0f, light_radiance = 11.4f;
+
+/// Sparks are drawn with this part of full brightness: more would be white, whatever their colour.
+constexpr float spark_brightness = 0.2f;
+constexpr float spark_size = 0.7f; // map units
+
+/// What an entity shines at least with the flag for it: a part of full brightness.
+constexpr float min_light = 0.02f;
+/// Things to pick up glow and fade in this much of full brightness, so many radians per second.
+constexpr float pickup_glow = 0.02f, pickup_speed = 7.0f;
+constexpr float smallest_beam = 0.5f;
+
+glm::vec3 vec(const float (&values)[3]) {
+    return {values[0], values[1], values[2]};
+}
+
+template <typename T> std::span<const T> list(const T* first, int count) {
+    return {first, first != nullptr && count > 0 ? static_cast<size_t>(count) : 0};
+}
+
+bool has(const ViewEntity& entity, uint32_t flags) {
+    return (static_cast<uint32_t>(entity.flags) & flags) != 0;
+}
+
+/// The game's colours of what surrounds a body.
+glm::vec3 shell_color(const ViewEntity& entity) {
+    glm::vec3 color(0.0f);
+    if (has(entity, flag_shell_half_damage)) color = {0.56f, 0.59f, 0.45f};
+    if (has(entity, flag_shell_double)) color = glm::max(color, glm::vec3(0.9f, 0.7f, 0.0f));
+    if (has(entity, flag_shell_red)) color.x = 1.0f;
+    if (has(entity, flag_shell_green)) color.y = 1.0f;
+    if (has(entity, flag_shell_blue)) color.z = 1.0f;
+    return color;
+}
+
+glm::vec3 glow_of(const ViewEntity& entity, const EngineView& view) {
+    const bool sprite = entity.model->name.ends_with(".sp2");
+    if (sprite || has(entity, flag_full_bright)) return glm::vec3(particle_radiance);
+    if ((view.flags & view_infrared) != 0 && has(entity, flag_infrared_visible))
+        return {particle_radiance, 0.0f, 0.0f};
+    float glow = has(entity, flag_min_light) ? min_light : 0.0f;
+    if (has(entity, flag_glow))
+        glow += pickup_glow * (0.5f + 0.5f * std::sin(pickup_speed * view.time_s));
+    return glm::vec3(glow * particle_radiance);
+}
+
+/// Things with other values are never the same: model, skin and what they are drawn as.
+uint64_t kind_of(const ViewEntity& entity) {
+    constexpr uint32_t ways = flag_viewer_model | flag_weapon_model | flag_depth_hack | flags_shell;
+    const auto model = reinterpret_cast<uintptr_t>(entity.model);
+    const auto skin = reinterpret_cast<uintptr_t>(entity.skin);
+    constexpr uint64_t mix = 0x9e3779b97f4a7c15u;
+    return (model * mix ^ skin) * mix ^ (static_cast<uint32_t>(entity.flags) & ways);
+}
+
+Sighting sighting_of(const ViewEntity& entity) {
+    return {kind_of(entity), vec(entity.origin), std::nullopt, entity.frame, entity.old_frame};
+}
+
+refresh::Beam beam_of(const ViewEntity& entity, const Screen& colors) {
+    refresh::Beam beam;
+    beam.from = vec(entity.origin);
+    beam.to = vec(entity.old_origin);
+    beam.radius = std::max(0.5f * static_cast<float>(entity.frame), smallest_beam);
+    beam.radiance = particle_radiance * colors.linear_color(entity.skin_number);
+    return beam;
+}
+
+refresh::Entity entity_of(const ViewEntity& source, const EngineView& view, Models& models) {
+    refresh::Entity entity;
+    entity.model = models.handle_of(*source.model);
+    entity.origin = vec(source.origin);
+    entity.angles = vec(source.angles);
+    // The game's renderers roll models, though not parts of a level, the other way round.
+    if (!source.model->name.starts_with('*')) entity.angles.z = -entity.angles.z;
+    entity.skin = source.skin_number;
+    entity.custom_skin = models.skin_of(source.skin);
+    entity.frame = source.frame;
+    entity.old_frame = source.old_frame;
+    entity.backlerp = std::clamp(source.backlerp, 0.0f, 1.0f);
+    if (has(source, flag_translucent)) entity.alpha = std::clamp(source.alpha, 0.0f, 1.0f);
+    if (has(source, flag_viewer_model)) entity.flags |= refresh::entity_hidden_from_camera;
+    if (has(source, flag_weapon_model | flag_depth_hack)) entity.flags |= refresh::entity_weapon;
+    entity.glow = glow_of(source, view);
+    if (has(source, flags_shell)) entity.shell = shell_color(source);
+    return entity;
+}
+
+} // namespace
+
+void LevelView::forget() {
+    entity_ids_.clear();
+    beam_ids_.clear();
+    light_ids_.clear();
+}
+
+void LevelView::read(const EngineView& view, glm::ivec2 screen, Models& models,
+                     const Screen& colors, float light_brightness) {
+    time_s_ = static_cast<double>(view.time_s);
+    view_.origin = vec(view.origin);
+    view_.angles = vec(view.angles);
+    // A view smaller than the screen is the middle of one as high as the screen.
+    const float half = std::tan(0.5f * glm::radians(std::clamp(view.fov_y, 1.0f, 170.0f)));
+    const float rows =
+        static_cast<float>(std::max(screen.y, 1)) / static_cast<float>(std::max(view.height, 1));
+    view_.fov_y = std::clamp(2.0f * glm::degrees(std::atan(half * rows)), 1.0f, 175.0f);
+    styles_.fill(1.0f);
+    for (size_t i = 0; view.light_styles != nullptr && i < styles_.size(); ++i) {
+        const float(&rgb)[3] = view.light_styles[i].rgb;
+        styles_.at(i) = std::max((rgb[0] + rgb[1] + rgb[2]) / 3.0f, 0.0f);
+    }
+    read_entities(list(view.entities, view.entity_count), view, models, colors);
+    read_lights(list(view.lights, view.light_count), time_s_, light_brightness);
+    read_particles(list(view.particles, view.particle_count), colors);
+}
+
+void LevelView::read_entities(std::span<const ViewEntity> entities, const EngineView& view,
+                              Models& models, const Screen& colors) {
+    entities_.clear();
+    beams_.clear();
+    seen_.clear();
+    for (const ViewEntity& entity : entities) {
+        if (has(entity, flag_beam) || entity.model == nullptr) continue;
+        entities_.push_back(entity_of(entity, view, models));
+        seen_.push_back(sighting_of(entity));
+    }
+    const std::vector<uint32_t> numbers = entity_ids_.assign(seen_, time_s_);
+    for (size_t i = 0; i < numbers.size(); ++i)
+        entities_[i].number = static_cast<int>(numbers[i]);
+
+    seen_.clear();
+    for (const ViewEntity& entity : entities) {
+        if (!has(entity, flag_beam)) continue;
+        beams_.push_back(beam_of(entity, colors));
+        // Its colour is drawn anew in each frame.
+        seen_.push_back(
+            {static_cast<uint64_t>(entity.frame), beams_.back().from, beams_.back().to, 0, 0});
+    }
+    const std::vector<uint32_t> ids = beam_ids_.assign(seen_, time_s_);
+    for (size_t i = 0; i < ids.size(); ++i)
+        beams_[i].id = ids[i];
+}
+
+void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, float brightness) {
+    lights_.clear();
+    seen_.clear();
+    for (const ViewLight& light : lights) {
+        // The game has lights that darken; light that is less than nothing is none.
+        const glm::vec3 color = glm::max(vec(light.color), glm::vec3(0.0f));
+        if (!(light.intensity > 0.0f) || color == glm::vec3(0.0f)) continue;
+        refresh::DynamicLight& shown = lights_.emplace_back();
+        shown.origin = vec(light.origin);
+        shown.radius = light_size * light.intensity;
+        shown.radiance = brightness * light_radiance * light.intensity * color;
+        shown.visible = false;
+        const glm::uvec3 hue(glm::round(16.0f * glm::min(color, glm::vec3(8.0f))));
+        seen_.push_back({hue.x | hue.y << 8 | hue.z << 16, shown.origin, std::nullopt, 0, 0});
+    }
+    const std::vector<uint32_t> ids = light_ids_.assign(seen_, time_s);
+    for (size_t i = 0; i < ids.size(); ++i)
+        lights_[i].id = ids[i];
+}
+
+void LevelView::read_particles(std::span<const ViewParticle> particles, const Screen& colors) {
+    particles_.clear();
+    for (const ViewParticle& source : particles) {
+        refresh::Particle& particle = particles_.emplace_back();
+        particle.origin = vec(source.origin);
+        particle.size = spark_size;
+        particle.color = spark_brightness * colors.linear_color(source.color);
+        particle.alpha = std::clamp(source.alpha, 0.0f, 1.0f);
+    }
+}
+
+refresh::Frame LevelView::frame() const {
+    refresh::Frame frame;
+    frame.view = view_;
+    frame.time_s = time_s_;
+    frame.entities = entities_;
+    frame.dynamic_lights = lights_;
+    frame.beams = beams_;
+    frame.particles = particles_;
+    frame.light_styles = styles_;
+    return frame;
+}
+
+std::vector<refresh::PreviewModel> preview_models(const EngineView& view) {
+    std::vector<refresh::PreviewModel> models;
+    for (const ViewEntity& entity : list(view.entities, view.entity_count)) {
+        if (entity.model == nullptr || !entity.model->name.ends_with(".md2")) continue;
+        refresh::PreviewModel& model = models.emplace_back();
+        model.model = entity.model->name;
+        if (entity.skin != nullptr) model.skin = static_cast<const Picture*>(entity.skin)->file;
+        model.skin_number = entity.skin_number;
+        model.origin = vec(entity.origin);
+        model.angles = vec(entity.angles);
+        model.frame = entity.frame;
+        model.old_frame = entity.old_frame;
+        model.backlerp = std::clamp(entity.backlerp, 0.0f, 1.0f);
+        if (has(entity, flag_translucent)) model.alpha = std::clamp(entity.alpha, 0.0f, 1.0f);
+    }
+    return models;
+}
+
+} // namespace vigil::yamagi

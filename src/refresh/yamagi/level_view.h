@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One view of the level, from the engine's structures to the renderer's: entities, lights, beams,
+// particles, light styles, and numbers that stay with them. docs/front-end.md has the table.
+#pragma once
+
+#include "refresh/preview/preview.h"
+#include "refresh/yamagi/identities.h"
+#include "refresh/yamagi/models.h"
+
+#include <array>
+#include <vector>
+
+namespace vigil::yamagi {
+
+class LevelView {
+public:
+    /// Takes over what the view shows. `screen` is the size that the engine draws for;
+    /// `light_brightness` a factor on the radiance of dynamic lights.
+    void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors,
+              float light_brightness);
+    /// Another level: numbers begin anew.
+    void forget();
+
+    /// The frame without settings and draws; its spans are good until the next read().
+    refresh::Frame frame() const;
+
+private:
+    void read_entities(std::span<const ViewEntity> entities, const EngineView& view, Models& models,
+                       const Screen& colors);
+    void read_lights(std::span<const ViewLight> lights, double time_s, float brightness);
+    void read_particles(std::span<const ViewParticle> particles, const Screen& colors);
+
+    refresh::View view_;
+    double time_s_ = 0.0;
+    std::array<float, refresh::light_style_count> styles_{};
+    std::vector<refresh::Entity> entities_;
+    std::vector<refresh::Beam> beams_;
+    std::vector<refresh::DynamicLight> lights_;
+    std::vector<refresh::Particle> particles_;
+    Identities entity_ids_, beam_ids_, light_ids_;
+    std::vector<Sighting> seen_; // of one kind of things
+};
+
+/// How a model without a level is seen; empty where the view shows nothing.
+std::vector<refresh::PreviewModel> preview_models(const EngineView& view);
+
+} // namespace vigil::yamagi

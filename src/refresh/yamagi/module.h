@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The renderer's module between its loading and its unloading: in which order the engine's calls
+// come, and what is told at its console. What a call means is in screen, level_view, models and
+// variables; how C functions become these members, in entry.cpp.
+#pragma once
+
+#include "client/measure/count_statistics.h"
+#include "client/measure/pass_statistics.h"
+#include "common/log.h"
+#include "refresh/preview/preview.h"
+#include "refresh/yamagi/level_view.h"
+#include "refresh/yamagi/sdl_window.h"
+#include "refresh/yamagi/variables.h"
+
+#include <mutex>
+#include <thread>
+
+namespace vigil::yamagi {
+
+class Module {
+public:
+    explicit Module(const EngineFunctions& functions);
+    ~Module();
+
+    const Engine& engine() const { return engine_; }
+
+    /// Opens the window, which calls prepare_for_window and init_context. False: the engine goes on
+    /// with another renderer; why was told.
+    bool init();
+    /// Flags of the window, or -1 where it cannot show Vulkan's pictures, which was told.
+    int prepare_for_window();
+    /// Makes the renderer for SDL's window. Throws Error.
+    void init_context(void* window);
+    void shutdown_context();
+    glm::ivec2 drawable_size() const;
+    bool vsync() const { return variables_.values().vid_vsync != 0; }
+
+    /// Loads the level. Throws Error; then views of it are black.
+    void begin_registration(std::string_view level);
+    ModelObject* register_model(std::string_view name) { return models_.find(name); }
+    void set_sky(std::string_view name, float degrees_per_second, const glm::vec3& axis);
+
+    Screen& screen() { return screen_; }
+    void begin_frame();
+    void render_view(const EngineView& view);
+    /// Renders. Throws Error once; then nothing is rendered until a level is loaded.
+    void end_frame();
+
+    // Commands of the engine's console. They throw Error.
+    void take_screenshot();
+    void say_scene();
+    void say_guiding();
+    void reset_guiding();
+    void say_light_cache();
+    void say_quadtree();
+    void say_passes();
+    void choose_preset(std::string_view name);
+
+    /// Tells what the log had from other threads.
+    void tell_pending();
+
+private:
+    refresh::Settings settings() const;
+    refresh::Renderer& renderer_in_level();
+    bool open_window();
+    void take_times(bool wait);
+    /// After a demo was timed (`timedemo` of the engine).
+    void say_timed_passes();
+    void hear(Severity severity, std::string_view line);
+
+    Engine engine_;
+    int log_ = 0; // token of its sink
+    std::thread::id thread_;
+    std::mutex pending_mutex_;
+    std::vector<std::string> pending_; // of other threads
+
+    FileSystem files_;
+    Variables variables_;
+    Screen screen_;
+    Models models_;
+    LevelView view_;
+    refresh::PreviewPainter painter_;
+
+    glm::ivec2 size_{640, 480}; // that the engine draws for
+    bool without_vulkan_ = false;
+    std::optional<SdlWindow> window_;
+    std::unique_ptr<refresh::Renderer> renderer_;
+    bool level_loaded_ = false;
+    bool level_seen_ = false; // in this frame
+    bool failed_ = false;     // the last frame
+    bool timed_ = false;      // a demo
+    int previews_ = 0;        // in this frame
+    client::PassStatistics passes_;
+    client::CountStatistics counts_{100};
+};
+
+} // namespace vigil::yamagi

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The renderer's variables as variables of the engine, which is where people set them: pt_nee at
+// its console, with its completion. Names, ranges and defaults are those of
+// shaders/shared/settings_table.h.
+#pragma once
+
+#include "console/cvar.h"
+#include "refresh/yamagi/engine.h"
+
+#include <string>
+#include <vector>
+
+namespace vigil::yamagi {
+
+class Variables {
+public:
+    /// Makes what the engine lacks, and takes over what it has.
+    explicit Variables(const Engine& engine);
+
+    /// Takes over what was set at the engine's console. A number out of range is brought into it,
+    /// and a text that means nothing is put back; both are told. A choice that was given by its
+    /// number becomes its name.
+    void update();
+    /// The other way: sets a variable here and in the engine. Throws Error as CvarRegistry::set().
+    void set(std::string_view name, std::string_view text);
+
+    const CvarValues& values() const { return registry_.values(); }
+    const CvarRegistry& registry() const { return registry_; }
+
+private:
+    struct Row {
+        const CvarInfo* info;
+        const EngineVariable* variable;
+        std::string text; // that both had last
+        std::string name;
+    };
+    void take(Row& row);
+
+    const Engine& engine_;
+    CvarRegistry registry_;
+    std::vector<Row> rows_;
+};
+
+} // namespace vigil::yamagi

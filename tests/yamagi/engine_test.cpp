@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which engine is which, what a version's structure looks like, and which file a picture is.
+#include "common/memory_source.h"
+#include "refresh/yamagi/engine.h"
+#include "refresh/yamagi/screen.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace vigil::yamagi {
+namespace {
+
+TEST(Versions, OfTheEngine) {
+    EXPECT_EQ(api_of("8.20 x86_64 Jan  8 2023"), 5);
+    EXPECT_EQ(api_of("Yamagi Quake II v8.50"), 7);
+    EXPECT_EQ(api_of("8.51"), 7);
+    EXPECT_EQ(api_of("8.70 x86_64"), 8);
+    for (const char* text : {"", "8", "x86_64", "7.45", "8.30", "8.41", "9.00", "18.20", "8.2"})
+        EXPECT_EQ(api_of(text), 0) << text;
+}
+
+TEST(Versions, HaveTheirOwnStructures) {
+    ModuleFunctions functions{};
+    functions.init = [] { return Flag{0}; };
+    functions.drawable_size = [](int*, int*) {};
+    functions.shutdown_context = [] {};
+    functions.end_level_view = [] { return Flag{1}; };
+    functions.draw_coloured = [](int, int, const char*, float, const float*) {};
+    for (const int api : {0, 5, 6, 7, 8}) {
+        functions.api_version = api;
+        std::array<std::byte, 256> bytes{};
+        write_api(functions, bytes.data());
+        const auto pointer_at = [&](size_t offset) {
+            void* pointer = nullptr;
+            std::memcpy(&pointer, &bytes.at(offset), sizeof(pointer));
+            return pointer;
+        };
+        const size_t shift = api >= 6 ? 8 : 0;
+        EXPECT_EQ(pointer_at(8), reinterpret_cast<void*>(functions.init));
+        EXPECT_EQ(pointer_at(40) == reinterpret_cast<void*>(functions.drawable_size), api >= 6);
+        EXPECT_EQ(pointer_at(40 + shift), reinterpret_cast<void*>(functions.shutdown_context));
+        EXPECT_EQ(pointer_at(200 + shift), reinterpret_cast<void*>(functions.end_level_view));
+        EXPECT_EQ(pointer_at(216) == reinterpret_cast<void*>(functions.draw_coloured), api >= 8);
+        EXPECT_EQ(pointer_at(bytes_of_api(api)), nullptr) << "nothing behind it";
+    }
+}
+
+TEST(Pictures, HaveFilesInSeveralFormats) {
+    FileSystem files;
+    files.mount(std::make_unique<test::MemorySource>(
+        test::MemorySource::Files{{"pics/a.pcx", {}},
+                                  {"pics/a.png", {}},
+                                  {"pics/b.png", {}},
+                                  {"pics/c.jpg", {}},
+                                  {"players/male/grunt.pcx", {}}}));
+    EXPECT_EQ(picture_file(files, "a"), "pics/a.pcx");
+    EXPECT_EQ(picture_file(files, "b"), "pics/b.png");
+    EXPECT_EQ(picture_file(files, "c"), "pics/c.jpg");
+    EXPECT_EQ(picture_file(files, "d"), std::nullopt);
+    EXPECT_EQ(picture_file(files, "/players/male/grunt.pcx"), "players/male/grunt.pcx");
+    EXPECT_EQ(picture_file(files, "\\pics\\b.pcx"), "pics/b.png");
+    for (const char* name : {"", "/", "/a", "../x", "/../pics/a.pcx", "//a.pcx"})
+        EXPECT_EQ(picture_file(files, name), std::nullopt) << name;
+}
+
+} // namespace
+} // namespace vigil::yamagi
