@@ -98,6 +98,10 @@ float row_number(uint vertex) {
     return random_next(random);
 }
 
+/// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the
+/// path's throughput. Measured: docs/results/beside.md. Where a ray follows, `light_probability` must know the number of draws: all are made.
+const float BESIDE_INDIRECT = 0.25;
+
 /// `vertex` counts the path's vertices.
 DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, inout Random random) {
     DirectLight direct = DirectLight(vec3(0.0), false, NONE);
@@ -113,8 +117,9 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         if (direct.light == NONE) direct.light = choice.light;
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
-        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(row_number(vertex) < choice.beside)) break;
-        beside = choice.beside;
+        const float wanted = vertex > 0u && !ray_follows ? BESIDE_INDIRECT * choice.beside : choice.beside;
+        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(row_number(vertex) < wanted)) break;
+        beside = wanted;
     }
     return direct;
 }

