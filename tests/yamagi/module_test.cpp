@@ -193,7 +193,9 @@ TEST_P(EveryVersion, ShowsALevelWithDrawsOverIt) {
     if (GetParam().api >= 8) {
         EXPECT_EQ(picture.at(10, 29), (Color{0, 0, 128}));
     }
-    module().is_vsync_active();
+    EXPECT_EQ(module().is_vsync_active(), 1);
+    host().set("r_vsync", "0");
+    EXPECT_EQ(module().is_vsync_active(), 0) << "the engine paces its frames by it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Yamagi, EveryVersion,
