@@ -48,6 +48,7 @@ EngineHost::~EngineHost() {
 }
 
 void EngineHost::get_functions(int api) {
+    ASSERT_NE(get_, nullptr);
     constexpr std::byte guard{0xa5};
     std::array<std::byte, 512> room{};
     room.fill(guard);

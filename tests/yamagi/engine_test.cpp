@@ -2,6 +2,7 @@
 // Which engine is which, what a version's structure looks like, and which file a picture is.
 #include "common/memory_source.h"
 #include "refresh/yamagi/engine.h"
+#include "refresh/yamagi/level_lights.h"
 #include "refresh/yamagi/screen.h"
 
 #include <algorithm>
@@ -61,6 +62,44 @@ TEST(Pictures, HaveFilesInSeveralFormats) {
     EXPECT_EQ(picture_file(files, "\\pics\\b.pcx"), "pics/b.png");
     for (const char* name : {"", "/", "/a", "../x", "/../pics/a.pcx", "//a.pcx"})
         EXPECT_EQ(picture_file(files, name), std::nullopt) << name;
+}
+
+TEST(LevelLights, AreThoseOfEntitiesOrOfStarts) {
+    Bsp bsp;
+    bsp.texinfos.resize(2);
+    bsp.faces.resize(1);
+    EXPECT_FALSE(has_own_light(bsp));
+    bsp.texinfos[1] = {{}, {}, SURF_LIGHT, 100, "lamp", -1};
+    EXPECT_FALSE(has_own_light(bsp)) << "no face has it";
+    bsp.faces[0].texinfo = 1;
+    EXPECT_TRUE(has_own_light(bsp));
+    bsp.texinfos[1].value = 0;
+    EXPECT_FALSE(has_own_light(bsp));
+    bsp.texinfos[1].flags = SURF_SKY;
+    EXPECT_TRUE(has_own_light(bsp));
+
+    const std::string starts = R"({ "classname" "worldspawn" }
+        { "classname" "info_player_start" "origin" "1 2 3" })";
+    bsp.entities = parse_entities("starts", starts);
+    const auto over = entity_lights(bsp);
+    ASSERT_EQ(over.size(), 1);
+    EXPECT_EQ(over[0].origin, glm::vec3(1, 2, 43));
+
+    bsp.entities = parse_entities("lights", starts + R"(
+        { "classname" "light" "origin" "8 9 10" "light" "200" "_color" "0.5 0.25 0" "style" "3" }
+        { "classname" "light" "light" "400" }
+        { "classname" "light" "light" "-5" }
+        { "classname" "light" "style" "999" })");
+    const auto lights = entity_lights(bsp);
+    ASSERT_EQ(lights.size(), 3);
+    EXPECT_EQ(lights[0].origin, glm::vec3(8, 9, 10));
+    EXPECT_EQ(lights[0].style, 3);
+    EXPECT_EQ(lights[2].style, 255);
+    // Half way, a white surface under the ball is as bright as under the light map: 100 of 255.
+    const float seen = lights[0].radiance.x * level_light_radius * level_light_radius / (100 * 100);
+    EXPECT_NEAR(seen, 20.0f * 100.0f / 255.0f, 0.01f);
+    EXPECT_FLOAT_EQ(lights[0].radiance.y, 0.5f * lights[0].radiance.x);
+    EXPECT_FLOAT_EQ(lights[1].radiance.y, 8.0f * lights[0].radiance.x);
 }
 
 } // namespace

@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <unistd.h>
@@ -193,7 +195,9 @@ TEST_P(EveryVersion, ShowsALevelWithDrawsOverIt) {
     if (GetParam().api >= 8) {
         EXPECT_EQ(picture.at(10, 29), (Color{0, 0, 128}));
     }
-    module().is_vsync_active();
+    EXPECT_EQ(module().is_vsync_active(), 1);
+    host().set("r_vsync", "0");
+    EXPECT_EQ(module().is_vsync_active(), 0) << "the engine paces its frames by it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Yamagi, EveryVersion,
@@ -394,6 +398,57 @@ TEST_F(ModuleTest, TwentyLevelsKeepMemorySteady) {
 #else
     EXPECT_LT(resident_mib(), early + 8.0);
 #endif
+}
+
+/// A level of tests/data whose faces do not shine, with other entities.
+Bytes dark_level(const std::string& entities) {
+    std::ifstream file(VIGIL_SOURCE_DIR "/tests/data/baseq2/maps/lamp.bsp", std::ios::binary);
+    Bytes bytes(std::istreambuf_iterator<char>(file), {});
+    const auto lump = [&](size_t number) {
+        std::array<uint32_t, 2> place{};
+        std::memcpy(place.data(), &bytes.at(8 + 8 * number), sizeof(place));
+        return place;
+    };
+    const auto [infos, size] = lump(5);
+    for (size_t info = infos; info < infos + size; info += 76)
+        std::fill_n(bytes.begin() + static_cast<ptrdiff_t>(info + 32), 4, uint8_t{0}); // flags
+    const std::array place{static_cast<uint32_t>(bytes.size()),
+                           static_cast<uint32_t>(entities.size() + 1)};
+    std::memcpy(&bytes.at(8), place.data(), sizeof(place));
+    bytes.insert(bytes.end(), entities.begin(), entities.end());
+    bytes.push_back(0);
+    return bytes;
+}
+
+TEST_F(ModuleTest, LevelsMadeForLightMapsAreNotBlack) {
+    const std::string world = "{ \"classname\" \"worldspawn\" }";
+    const std::string place = "\"origin\" \"0 0 64\"";
+    MemorySource::Files files = game_files();
+    files["maps/red.bsp"] = dark_level(world + "{ \"classname\" \"light\" " + place +
+                                       " \"_color\" \"1 0 0\" \"style\" \"5\" }");
+    files["maps/start.bsp"] =
+        dark_level(world + "{ \"classname\" \"info_player_start\" \"origin\" \"0 0 24\" }");
+    start("8.20", 5, std::move(files));
+    ASSERT_EQ(module().init(), 1);
+    EngineView seen = view();
+    std::ranges::copy(std::array{-40.0f, 0.0f, 60.0f}, seen.origin);
+    std::ranges::copy(std::array{30.0f, 0.0f, 0.0f}, seen.angles);
+    const auto picture = [&](const char* level) {
+        module().begin_registration(level);
+        for (int i = 0; i < 2; ++i)
+            show(seen);
+        return host().screenshot();
+    };
+    const auto sum = [](const HostPicture& shown, size_t part) {
+        double total = 0.0;
+        for (size_t i = part; i < shown.rgb.size(); i += 3)
+            total += shown.rgb[i];
+        return total / (static_cast<double>(shown.rgb.size()) / 3.0);
+    };
+    const HostPicture red_light = picture("red"), start_light = picture("start");
+    EXPECT_GT(sum(red_light, 0), 10.0);
+    EXPECT_LT(sum(red_light, 2), 0.2 * sum(red_light, 0));
+    EXPECT_GT(sum(start_light, 2), 10.0) << "as long as somebody starts there";
 }
 
 TEST_F(ModuleTest, MissingLevelIsOneMessage) {

@@ -8,7 +8,9 @@
 #include "formats/md2.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace vigil::refresh {
 

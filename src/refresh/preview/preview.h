@@ -7,6 +7,8 @@
 #include "refresh/refresh.h"
 
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
 
 namespace vigil {

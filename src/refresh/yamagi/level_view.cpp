@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vigil::yamagi {
 
@@ -24,6 +25,9 @@ constexpr float min_light = 0.02f;
 /// Things to pick up glow and fade in this much of full brightness, so many radians per second.
 constexpr float pickup_glow = 0.02f, pickup_speed = 7.0f;
 constexpr float smallest_beam = 0.5f;
+
+/// Of lights that belong to the level; matched ones count from 1.
+constexpr uint32_t first_level_id = 0x80000000u;
 
 glm::vec3 vec(const float (&values)[3]) {
     return {values[0], values[1], values[2]};
@@ -103,7 +107,8 @@ refresh::Entity entity_of(const ViewEntity& source, const EngineView& view, Mode
 
 } // namespace
 
-void LevelView::forget() {
+void LevelView::begin_level(std::vector<LevelLight> lights) {
+    level_lights_ = std::move(lights);
     entity_ids_.clear();
     beam_ids_.clear();
     light_ids_.clear();
@@ -174,6 +179,13 @@ void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, fl
     const std::vector<uint32_t> ids = light_ids_.assign(seen_, time_s);
     for (size_t i = 0; i < ids.size(); ++i)
         lights_[i].id = ids[i];
+    for (size_t i = 0; i < level_lights_.size(); ++i) {
+        const LevelLight& light = level_lights_[i];
+        const float style = styles_.at(static_cast<size_t>(light.style));
+        if (!(style > 0.0f)) continue;
+        lights_.push_back({first_level_id + static_cast<uint32_t>(i), light.origin,
+                           level_light_radius, style * light.radiance, false});
+    }
 }
 
 void LevelView::read_particles(std::span<const ViewParticle> particles, const Screen& colors) {

@@ -5,6 +5,7 @@
 
 #include "refresh/preview/preview.h"
 #include "refresh/yamagi/identities.h"
+#include "refresh/yamagi/level_lights.h"
 #include "refresh/yamagi/models.h"
 
 #include <array>
@@ -18,8 +19,8 @@ public:
     /// `light_brightness` a factor on the radiance of dynamic lights.
     void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors,
               float light_brightness);
-    /// Another level: numbers begin anew.
-    void forget();
+    /// Another level, lit by these besides: numbers begin anew.
+    void begin_level(std::vector<LevelLight> lights);
 
     /// The frame without settings and draws; its spans are good until the next read().
     refresh::Frame frame() const;
@@ -36,6 +37,7 @@ private:
     std::vector<refresh::Entity> entities_;
     std::vector<refresh::Beam> beams_;
     std::vector<refresh::DynamicLight> lights_;
+    std::vector<LevelLight> level_lights_;
     std::vector<refresh::Particle> particles_;
     Identities entity_ids_, beam_ids_, light_ids_;
     std::vector<Sighting> seen_; // of one kind of things

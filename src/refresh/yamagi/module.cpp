@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/ranges.h>
+#include <utility>
 
 namespace vigil::yamagi {
 
@@ -153,12 +154,20 @@ void Module::begin_registration(std::string_view level) {
     level_loaded_ = false;
     failed_ = false;
     models_.begin_level(false);
-    view_.forget();
+    view_.begin_level({});
     passes_.clear();
     counts_.clear();
     variables_.update();
-    renderer_->load_level(load_level(files_, level), settings());
+    const std::shared_ptr<const Level> loaded = load_level(files_, level);
+    renderer_->load_level(loaded, settings());
     level_loaded_ = true;
+    const int wanted =
+        static_cast<int>(engine_.value("vigil_entity_lights", "2", variable_archived));
+    if (wanted == 1 || (wanted == 2 && !has_own_light(loaded->bsp))) {
+        std::vector<LevelLight> lights = entity_lights(loaded->bsp);
+        log_info("{}: {} of the level's entities are lights", loaded->name, lights.size());
+        view_.begin_level(std::move(lights));
+    }
     models_.begin_level(true);
     painter_.clear();
 }

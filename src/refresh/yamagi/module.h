@@ -33,7 +33,7 @@ public:
     void init_context(void* window);
     void shutdown_context();
     glm::ivec2 drawable_size() const;
-    bool vsync() const { return variables_.values().vid_vsync != 0; }
+    bool vsync() const { return settings().vid_vsync != 0; }
 
     /// Loads the level. Throws Error; then views of it are black.
     void begin_registration(std::string_view level);
