@@ -151,7 +151,7 @@ EngineFunctions EngineHost::offered() {
         }
     };
     f.free_file = [](void* content) { std::free(content); };
-    f.game_folder = [] { return "baseq2"; };
+    f.game_folder = [] { return running->folder.c_str(); };
     f.variable = [](const char* name, const char* default_text, int) {
         return &running->variable(name, default_text).shown;
     };

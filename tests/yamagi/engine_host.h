@@ -56,8 +56,9 @@ public:
     size_t count(std::string_view part) const;
 
     static constexpr int width = 48, height = 32;
-    int windows = 0; // opened
-    int menus = 0;   // made
+    std::string folder = "/nowhere"; // of the game's files that are written
+    int windows = 0;                 // opened
+    int menus = 0;                   // made
 
 private:
     struct Variable {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The module as an engine sees it, by the calls of every API version: pictures that are not black,
 // 2D in its place, levels that change, and one message for everything that is wrong.
+#include "common/scratch_folder.h"
 #include "engine_host.h"
 #include "formats/picture_bytes.h"
 #include "formats/small_models.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
@@ -364,6 +366,33 @@ TEST_F(ModuleTest, CommandsTellOfTheRenderer) {
     EXPECT_FALSE(host().has_command("scene"));
     EXPECT_EQ(module().register_model("models/box/tris.md2"), nullptr) << "and nothing happens";
     show(view());
+}
+
+TEST_F(ModuleTest, TimedDemosLeaveTheirTimes) {
+    begin();
+    const ScratchFolder scratch;
+    host().folder = scratch.path().string();
+    host().set("timedemo", "1");
+    const auto play = [&](const std::string& file) {
+        host().set("vigil_timedemo_json", file);
+        module().begin_registration("rooms");
+        host().frame([](const ModuleFunctions&) {}); // shows no level: it does not count
+        for (int i = 0; i < 3; ++i)
+            show(view());
+        module().begin_registration("rooms"); // the next one
+    };
+    play("times.json");
+    EXPECT_EQ(host().count("milliseconds over 3 frames"), 1);
+    std::ifstream file(scratch.path() / "times.json");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    for (const char* part :
+         {"\"level\": \"rooms\"", "\"frames\": 3", "\"pt_nee\": \"sll\"", "\"primary\""})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    play("../out.json");
+    play("autoexec.cfg");
+    EXPECT_FALSE(std::filesystem::exists(scratch.path().parent_path() / "out.json"));
+    EXPECT_FALSE(std::filesystem::exists(scratch.path() / "autoexec.cfg"));
+    EXPECT_EQ(host().count("warning"), 2);
 }
 
 /// Bytes of this process in memory.

@@ -4,6 +4,7 @@
 #include "client/measure/report_text.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/output.h"
 #include "console/preset.h"
 #include "formats/sky.h"
 #include "level/level.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace vigil::yamagi {
@@ -161,6 +163,7 @@ void Module::begin_registration(std::string_view level) {
     const std::shared_ptr<const Level> loaded = load_level(files_, level);
     renderer_->load_level(loaded, settings());
     level_loaded_ = true;
+    level_name_ = loaded->name;
     const int wanted =
         static_cast<int>(engine_.value("vigil_entity_lights", "2", variable_archived));
     if (wanted == 1 || (wanted == 2 && !has_own_light(loaded->bsp))) {
@@ -240,6 +243,11 @@ void Module::end_frame() {
 
 void Module::take_times(bool wait) {
     for (const refresh::FrameTimes& frame : renderer_->take_frame_times(wait)) {
+        // Frames of menus and films would be fast ones.
+        if (std::ranges::none_of(frame.passes, [](const refresh::PassTime& pass) {
+                return pass.group == refresh::PassGroup::PathTracing;
+            }))
+            continue;
         passes_.add_frame(frame.passes);
         counts_.add_frame(frame.counts);
     }
@@ -293,7 +301,44 @@ void Module::say_timed_passes() {
     timed_ = false;
     if (!renderer_) return;
     take_times(true);
-    if (passes_.frame_count() > 0) log_info("{}", passes_.table(sums));
+    if (passes_.frame_count() == 0) return;
+    log_info("{}", passes_.table(sums));
+    const std::string name = engine_.text("vigil_timedemo_json", "");
+    if (name.empty()) return;
+    try {
+        if (!name.ends_with(".json")) fail("vigil_timedemo_json {}: a name ends in .json", name);
+        const auto path = output_path(engine_.functions().game_folder(), name);
+        write_file(path, times_json());
+        log_info("wrote {}", path.string());
+    } catch (const Error& error) {
+        log_warning("{}", error.what());
+    }
+}
+
+std::string Module::times_json() const {
+    nlohmann::ordered_json json;
+    json["level"] = level_name_;
+    json["device"] = renderer_->device_name();
+    json["size"] = {size_.x, size_.y};
+    json["frames"] = passes_.frame_count();
+    for (const CvarInfo& info : cvar_infos)
+        if (info.affects != Affects::Nothing &&
+            (info.name.starts_with("pt_") || info.name.starts_with("flt_")))
+            json["variables"][std::string(info.name)] = variables_.registry().get_text(info.name);
+    const auto add = [&](const client::PassSummary& pass) {
+        json["passes"].push_back({{"name", pass.name},
+                                  {"frames", pass.frames},
+                                  {"min_ms", pass.minimum},
+                                  {"median_ms", pass.median},
+                                  {"mean_ms", pass.mean},
+                                  {"p99_ms", pass.p99},
+                                  {"share", pass.share}});
+    };
+    for (const client::PassSummary& pass : passes_.summarize())
+        add(pass);
+    for (const client::PassSum& sum : sums)
+        if (const client::PassSummary pass = passes_.summarize(sum); pass.frames > 0) add(pass);
+    return json.dump(2) + "\n";
 }
 
 void Module::choose_preset(std::string_view name) {

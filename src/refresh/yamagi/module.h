@@ -66,6 +66,7 @@ private:
     void take_times(bool wait);
     /// After a demo was timed (`timedemo` of the engine).
     void say_timed_passes();
+    std::string times_json() const;
     void hear(Severity severity, std::string_view line);
 
     Engine engine_;
@@ -86,6 +87,7 @@ private:
     std::optional<SdlWindow> window_;
     std::unique_ptr<refresh::Renderer> renderer_;
     bool level_loaded_ = false;
+    std::string level_name_;
     bool level_seen_ = false; // in this frame
     bool failed_ = false;     // the last frame
     bool timed_ = false;      // a demo
