@@ -30,14 +30,14 @@ FLOORS = [
     ["src/refresh/vkpt/pathtrace", "src/client/demo", "src/client/ui"],
     ["src/refresh/vkpt/filter", "src/refresh/vkpt/post", "src/refresh/vkpt/debug", "src/refresh/vkpt/export"],
     ["src/refresh/vkpt", "src/client"],
-    ["src/bench", "src/refresh/yamagi"],
+    ["src/bench", "src/yamagi"],
     ["src"],
 ]
 HEIGHT = {folder: height for height, floor in enumerate(FLOORS) for folder in floor}
 PART_OF = {"src/game/actors": "src/game"}  # one floor in two folders
 MADE = re.compile(r"^(shaders/\w+_(shaders|rows)\.inc|selected_\w+\.glsl)$")  # in the build folder
-# Two wings over the contract (src/refresh): the renderer, and our own front end with the game. Neither knows the other.
-WINGS = [["src/refresh/vkpt"], ["src/console", "src/platform", "src/game", "src/client"]]
+# Two wings over the contract (src/refresh): the renderer, and the front ends, ours with the game. Neither knows the other.
+WINGS = [["src/refresh/vkpt"], ["src/console", "src/platform", "src/game", "src/client", "src/yamagi"]]
 
 
 def floor_of(path: str) -> str:

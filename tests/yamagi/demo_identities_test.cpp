@@ -3,7 +3,7 @@
 // ones. VIGIL_DEMOS names the folder of the demos; frames are made in between the demo's, as the
 // game's client does.
 #include "formats/dm2_parser.h"
-#include "refresh/yamagi/identities.h"
+#include "yamagi/identities.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 
 #include "common/file_system.h"
 #include "common/memory_source.h"
-#include "refresh/yamagi/interface.h"
+#include "yamagi/interface.h"
 
 #include <array>
 #include <map>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which engine is which, what a version's structure looks like, and which file a picture is.
 #include "common/memory_source.h"
-#include "refresh/yamagi/engine.h"
-#include "refresh/yamagi/level_lights.h"
-#include "refresh/yamagi/screen.h"
+#include "yamagi/engine.h"
+#include "yamagi/level_lights.h"
+#include "yamagi/screen.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers of things that an engine sends without: what stays the same, what does not, and how often
 // a crowd's are wrong.
-#include "refresh/yamagi/identities.h"
+#include "yamagi/identities.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // module lives, while the renderer's handles end with each level. It reads no file itself.
 #pragma once
 
-#include "refresh/yamagi/screen.h"
+#include "yamagi/screen.h"
 
 namespace vigil::yamagi {
 

@@ -2,7 +2,7 @@
 // GetRefAPI, the one function that the module shows, and the C functions that the engine calls. No
 // exception leaves them: what one says is told at the engine's console, and the call does nothing.
 #include "common/log.h"
-#include "refresh/yamagi/module.h"
+#include "yamagi/module.h"
 
 #include <algorithm>
 #include <cstring>

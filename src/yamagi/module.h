@@ -8,9 +8,9 @@
 #include "client/measure/pass_statistics.h"
 #include "common/log.h"
 #include "refresh/preview/preview.h"
-#include "refresh/yamagi/level_view.h"
-#include "refresh/yamagi/sdl_window.h"
-#include "refresh/yamagi/variables.h"
+#include "yamagi/level_view.h"
+#include "yamagi/sdl_window.h"
+#include "yamagi/variables.h"
 
 #include <mutex>
 #include <thread>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/models.h"
+#include "yamagi/models.h"
 
 #include "common/error.h"
 #include "common/log.h"

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "refresh/preview/preview.h"
-#include "refresh/yamagi/identities.h"
-#include "refresh/yamagi/level_lights.h"
-#include "refresh/yamagi/models.h"
+#include "yamagi/identities.h"
+#include "yamagi/level_lights.h"
+#include "yamagi/models.h"
 
 #include <array>
 #include <vector>

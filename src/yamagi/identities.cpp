@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/identities.h"
+#include "yamagi/identities.h"
 
 #include <algorithm>
 

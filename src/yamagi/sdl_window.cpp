@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/sdl_window.h"
+#include "yamagi/sdl_window.h"
 
 #include "common/error.h"
 

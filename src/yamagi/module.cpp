@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/module.h"
+#include "yamagi/module.h"
 
 #include "client/measure/report_text.h"
 #include "common/error.h"

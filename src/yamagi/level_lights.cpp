@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/level_lights.h"
+#include "yamagi/level_lights.h"
 
 #include <algorithm>
 

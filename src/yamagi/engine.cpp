@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/engine.h"
+#include "yamagi/engine.h"
 
 #include <cctype>
 #include <charconv>

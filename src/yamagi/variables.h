@@ -5,7 +5,7 @@
 #pragma once
 
 #include "console/cvar.h"
-#include "refresh/yamagi/engine.h"
+#include "yamagi/engine.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "common/file_source.h"
-#include "refresh/yamagi/interface.h"
+#include "yamagi/interface.h"
 
 #include <memory>
 #include <mutex>

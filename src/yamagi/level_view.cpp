@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/level_view.h"
+#include "yamagi/level_view.h"
 
 #include "formats/game_palette.h"
 

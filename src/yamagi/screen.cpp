@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/yamagi/screen.h"
+#include "yamagi/screen.h"
 
 #include "common/ascii_case.h"
 #include "common/error.h"

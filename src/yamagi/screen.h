@@ -6,7 +6,7 @@
 #include "common/file_system.h"
 #include "formats/image.h"
 #include "refresh/refresh.h"
-#include "refresh/yamagi/interface.h"
+#include "yamagi/interface.h"
 
 #include <map>
 #include <memory>
