@@ -96,4 +96,10 @@ float srgb_to_linear(uint8_t value) {
     return table[value];
 }
 
+uint8_t linear_to_srgb(float linear) {
+    const float x = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f;
+    const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    return static_cast<uint8_t>(std::lround(255.0f * encoded));
+}
+
 } // namespace vigil

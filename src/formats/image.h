@@ -41,5 +41,7 @@ Image checker_image();
 
 /// sRGB byte to linear 0..1 (IEC 61966-2-1).
 float srgb_to_linear(uint8_t value);
+/// The reverse, rounded; what is not in 0..1 is brought into it, NaN to 0.
+uint8_t linear_to_srgb(float linear);
 
 } // namespace vigil

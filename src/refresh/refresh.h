@@ -151,6 +151,11 @@ struct Draw {
 /// Radiance that stands for what the first Quake II draws at full brightness (docs/units.md).
 inline constexpr float particle_radiance = 20.0f;
 
+/// The first Quake II's light of an effect, with the radius that its game gives, is a ball of
+/// game_light_size times that radius, and its colour times game_light_radiance times that radius is
+/// the ball's radiance (docs/units.md says why).
+inline constexpr float game_light_size = 1.0f / 25.0f, game_light_radiance = 11.4f;
+
 /// Light styles are multipliers of emitted radiance; Quake II has 256.
 inline constexpr int light_style_count = 256;
 

@@ -13,9 +13,6 @@ namespace {
 
 using refresh::particle_radiance;
 
-// A dynamic light of radius R as docs/units.md has it: a ball of R / 25 with radiance 11.4 R.
-constexpr float light_size = 1.0f / 25.0f, light_radiance = 11.4f;
-
 /// Sparks are drawn with this part of full brightness: more would be white, whatever their colour.
 constexpr float spark_brightness = 0.2f;
 constexpr float spark_size = 0.7f; // map units
@@ -170,8 +167,8 @@ void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, fl
         if (!(light.intensity > 0.0f) || color == glm::vec3(0.0f)) continue;
         refresh::DynamicLight& shown = lights_.emplace_back();
         shown.origin = vec(light.origin);
-        shown.radius = light_size * light.intensity;
-        shown.radiance = brightness * light_radiance * light.intensity * color;
+        shown.radius = refresh::game_light_size * light.intensity;
+        shown.radiance = brightness * refresh::game_light_radiance * light.intensity * color;
         shown.visible = false;
         const glm::uvec3 hue(glm::round(16.0f * glm::min(color, glm::vec3(8.0f))));
         seen_.push_back({hue.x | hue.y << 8 | hue.z << 16, shown.origin, std::nullopt, 0, 0});

@@ -3,6 +3,7 @@
 
 #include "common/error.h"
 #include "common/log.h"
+#include "yamagi/kept.h"
 
 #include <algorithm>
 
@@ -51,15 +52,7 @@ refresh::ModelHandle Models::handle_of(const ModelObject& model) {
 refresh::SkinHandle Models::skin_of(const PictureObject* skin) {
     if (skin == nullptr || !has_level_) return -1;
     const std::string& file = static_cast<const Picture*>(skin)->file;
-    const auto [row, is_new] = skins_.try_emplace(file, -1);
-    if (is_new) {
-        try {
-            row->second = renderer_->register_skin(file);
-        } catch (const Error& error) {
-            log_warning("{}", error.what());
-        }
-    }
-    return row->second;
+    return kept(skins_, file, -1, [&] { return renderer_->register_skin(file); });
 }
 
 } // namespace vigil::yamagi

@@ -6,6 +6,7 @@
 #include "common/log.h"
 #include "formats/game_palette.h"
 #include "formats/pcx.h"
+#include "yamagi/kept.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,7 @@ Palette own_palette() {
             continue;
         }
         const glm::vec3 color = palette_color(static_cast<uint8_t>(i));
-        for (size_t part = 0; part < 3; ++part) {
-            const float linear = color[static_cast<glm::length_t>(part)];
-            palette[i][part] =
-                static_cast<uint8_t>(std::lround(255.0f * std::pow(linear, 1.0f / 2.2f)));
-        }
+        palette.at(i) = {linear_to_srgb(color.x), linear_to_srgb(color.y), linear_to_srgb(color.z)};
     }
     return palette;
 }
@@ -109,15 +106,8 @@ Picture* Screen::find_skin(std::string_view name) {
 }
 
 refresh::PictureHandle Screen::handle_of(const Picture& picture) {
-    const auto [row, is_new] = handles_.try_emplace(picture.file, refresh::no_picture);
-    if (is_new) {
-        try {
-            row->second = renderer_->register_picture(picture.file);
-        } catch (const Error& error) {
-            log_warning("{}", error.what());
-        }
-    }
-    return row->second;
+    return kept(handles_, picture.file, refresh::no_picture,
+                [&] { return renderer_->register_picture(picture.file); });
 }
 
 refresh::PictureHandle Screen::handle_of(std::string_view name) {
@@ -219,15 +209,8 @@ void Screen::fade() {
 }
 
 refresh::PictureHandle Screen::made_picture(int slot, glm::ivec2 size) {
-    const auto [row, is_new] = made_.try_emplace({slot, {size.x, size.y}}, refresh::no_picture);
-    if (is_new) {
-        try {
-            row->second = renderer_->make_picture(size);
-        } catch (const Error& error) {
-            log_warning("{}", error.what());
-        }
-    }
-    return row->second;
+    return kept(made_, {slot, {size.x, size.y}}, refresh::no_picture,
+                [&] { return renderer_->make_picture(size); });
 }
 
 void Screen::film(glm::ivec2 corner, glm::ivec2 size, glm::ivec2 texels, const uint8_t* data,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <zlib.h>
 
 namespace vigil {
@@ -249,6 +250,11 @@ TEST(Image, SrgbBecomesLinear) {
     EXPECT_EQ(srgb_to_linear(0), 0.0f);
     EXPECT_EQ(srgb_to_linear(255), 1.0f);
     EXPECT_NEAR(srgb_to_linear(188), 0.5f, 0.005f) << "mid grey in light";
+    for (int value = 0; value < 256; ++value)
+        EXPECT_EQ(linear_to_srgb(srgb_to_linear(static_cast<uint8_t>(value))), value);
+    EXPECT_EQ(linear_to_srgb(-1.0f), 0);
+    EXPECT_EQ(linear_to_srgb(7.0f), 255);
+    EXPECT_EQ(linear_to_srgb(std::numeric_limits<float>::quiet_NaN()), 0);
 }
 
 TEST(Image, CheckerHasTwoColoursInEqualParts) {

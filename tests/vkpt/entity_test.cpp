@@ -250,7 +250,7 @@ TEST_P(EntityTest, SpritesFaceTheCamera) {
     set("pt_texture_filter", "nearest");
     Shot shot;
     shot.view = {{-150, 30, 90}, {10, 30, 5}, 90};
-    const glm::mat3 axes = vkpt::rotation_from_angles(shot.view.angles);
+    const glm::mat3 axes = rotation_from_angles(shot.view.angles);
     constexpr float distance = 32.0f;
     shot.entities = {placed(renderer().register_model("sprites/test.sp2"),
                             shot.view.origin + distance * axes[0], {11, 22, 33})};

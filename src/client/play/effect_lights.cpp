@@ -199,7 +199,8 @@ Burst burst_of(const dm2::TempEntity& effect) {
 
 refresh::DynamicLight dynamic_light(uint32_t id, const glm::vec3& origin,
                                     const EffectLight& light) {
-    return {id, origin, light.radius / 25.0f, 11.4f * light.radius * light.color};
+    return {id, origin, refresh::game_light_size * light.radius,
+            refresh::game_light_radiance * light.radius * light.color};
 }
 
 glm::vec3 laser_color(uint32_t skin) {

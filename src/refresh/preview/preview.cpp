@@ -4,6 +4,7 @@
 #include "common/error.h"
 #include "common/file_system.h"
 #include "common/log.h"
+#include "common/rotation.h"
 #include "formats/image.h"
 #include "formats/md2.h"
 
@@ -19,14 +20,6 @@ namespace {
 /// Samples of a pixel in each direction.
 constexpr int samples = 2;
 
-/// Columns: where forward, left and up of Quake's angles point.
-glm::mat3 axes_of(const glm::vec3& angles) {
-    const glm::vec3 s = glm::sin(glm::radians(angles)), c = glm::cos(glm::radians(angles));
-    return {{c.x * c.y, c.x * s.y, -s.x},
-            {s.z * s.x * c.y - c.z * s.y, s.z * s.x * s.y + c.z * c.y, s.z * c.x},
-            {c.z * s.x * c.y + s.z * s.y, c.z * s.x * s.y - s.z * c.y, c.z * c.x}};
-}
-
 /// Light on a white surface with this normal; `view` has the camera's axes. A lamp over the
 /// viewer's left shoulder, a weaker one from behind on the right, and light from all around, more
 /// of it from above. 1 is white in the picture.
@@ -35,13 +28,6 @@ float light_on(const glm::vec3& normal, const glm::mat3& view) {
     const glm::vec3 rim = glm::normalize(view * glm::vec3(1.0f, -0.8f, 0.5f));
     return 0.35f + 0.15f * normal.z + 0.85f * std::max(glm::dot(normal, key), 0.0f) +
            0.25f * std::max(glm::dot(normal, rim), 0.0f);
-}
-
-uint8_t srgb_byte(float linear) {
-    const float value = std::clamp(linear, 0.0f, 1.0f);
-    const float encoded =
-        value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
-    return static_cast<uint8_t>(std::lround(255.0f * encoded));
 }
 
 /// A corner as the camera sees it.
@@ -110,7 +96,8 @@ size_t wrap(int frame, size_t count) {
 
 void draw_model(Canvas& canvas, const Preview& preview, const PreviewModel& placed, const Md2& md2,
                 const Image& skin) {
-    const glm::mat3 view = axes_of(preview.view.angles), turn = axes_of(placed.angles);
+    const glm::mat3 view = rotation_from_angles(preview.view.angles),
+                    turn = rotation_from_angles(placed.angles);
     const glm::vec2 half = 0.5f * glm::radians(glm::vec2(preview.view.fov, preview.view.fov_y));
     const glm::vec2 scale = 0.5f * glm::vec2(canvas.size) / glm::tan(half);
     const Md2Frame& now = md2.frames[wrap(placed.frame, md2.frames.size())];
@@ -156,7 +143,7 @@ Picture reduce(const Canvas& canvas) {
                 sum.w > 0.0f ? glm::vec3(sum.x, sum.y, sum.z) / sum.w : glm::vec3(0.0f);
             const float coverage = sum.w / static_cast<float>(samples * samples);
             for (glm::length_t i = 0; i < 3; ++i)
-                picture.rgba.push_back(srgb_byte(color[i]));
+                picture.rgba.push_back(linear_to_srgb(color[i]));
             picture.rgba.push_back(
                 static_cast<uint8_t>(std::lround(255.0f * std::clamp(coverage, 0.0f, 1.0f))));
         }

@@ -2,6 +2,7 @@
 #include "refresh/vkpt/export/export_pictures.h"
 
 #include "common/error.h"
+#include "formats/image.h"
 #include "formats/sky.h"
 
 #include <algorithm>
@@ -18,13 +19,6 @@ namespace {
 // two pixels per texel a 64-texel side was seen to be off by 0.35% around a glow. The least width
 // gives such sides eight.
 constexpr uint32_t panorama_min_width = 2048, panorama_max_width = 4096;
-
-/// Linear to an sRGB byte (IEC 61966-2-1).
-uint8_t srgb_byte(float linear) {
-    const float x = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f; // NaN becomes 0
-    const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-    return static_cast<uint8_t>(std::lround(255.0f * encoded));
-}
 
 /// Bilinear, clamped at the edges: what the path tracer's sky.glsl does.
 glm::vec3 sample(const ExportTexture& texture, glm::vec2 uv) {
@@ -46,7 +40,7 @@ std::vector<std::byte> encode_png(const ExportTexture& texture) {
     rgb.reserve(3 * texture.texels.size());
     for (const glm::vec3& texel : texture.texels) {
         for (glm::length_t i = 0; i < 3; ++i)
-            rgb.push_back(srgb_byte(texel[i]));
+            rgb.push_back(linear_to_srgb(texel[i]));
     }
     std::vector<std::byte> bytes;
     const auto append = [](void* context, void* data, int size) {
