@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes docs/trade.md: what every value of every variable costs and buys next to the default, from the reports of `run bench
+"""Writes docs/research/trade.md: what every value of every variable costs and buys next to the default, from the reports of `run bench
 trade` and of `run bench confirm`, which measures again what looks better than the default.
 
-    python3 tools/report/defaults.py out/trade.json out/confirm.json > docs/trade.md
+    python3 tools/report/defaults.py out/trade.json out/confirm.json > docs/research/trade.md
 
 The exit status is 1 where the reports do not bear out the defaults: a value that looks better was not measured again, one that
 is better has no reason below, or a reason says what the reports deny. The reports must be of one commit; with --commits-differ,
@@ -18,7 +18,7 @@ from typing import Callable
 
 import tables
 
-CVARS = Path(__file__).resolve().parents[2] / "docs" / "cvars.md"
+CVARS = Path(__file__).resolve().parents[2] / "docs" / "play" / "cvars.md"
 
 HEAD = """# Speed against accuracy
 
@@ -37,10 +37,10 @@ A default that is not the better value has its reason below the table; the tool 
 
 One thing this does not show. In `mine` most of the light is the sun's. Where rays alone find it (`pt_env_nee 0`, and all reports from before sky and sun were lights), frames may have less light than the
 reference: errors tell nothing then, and there is a question mark ([quality.md](quality.md), *Rare paths*). That quadtrees find the sun there, and the levels where the sky comes in through openings, decided for
-`pt_guide cdq` ([results/guiding.md](results/guiding.md)).
+`pt_guide cdq` ([caches.md](caches.md)).
 
 Half against full precision is not among them: no cache stores the same thing in both, so there is nothing to turn (what is stored in fewer bits, and with which error, is in
-[numerics.md](numerics.md)).
+[numerics.md](../internals/numerics.md)).
 
 ## Presets
 
@@ -81,12 +81,12 @@ REASONS = {
     "pt_spp": Reason("One sample makes the shortest frames, and a player waits for frames; more are a preset (`accurate`).",
                      needs_longer_frames),
     "pt_sll_max": Reason("""`sll` is there to be compared with: its default is as many lights as `vlc` and `ris` weigh at a hit
-([light-sampling.md](light-sampling.md)). Who plays with `sll` among many lamps sets more.""", is_only_compared_with),
+([light-sampling.md](../internals/light-sampling.md)). Who plays with `sll` among many lamps sets more.""", is_only_compared_with),
 }
 
 
 def defaults():
-    """Default by variable, from docs/cvars.md."""
+    """Default by variable, from docs/play/cvars.md."""
     rows = re.findall(r"^\| `(\w+)` \| `?([^`|]*)`? \|", CVARS.read_text(), re.MULTILINE)
     return {name: value.strip() for name, value in rows}
 

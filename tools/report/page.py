@@ -118,7 +118,7 @@ def write_summary(found, target):
     """README.md, a picture per plot and a small JSON per experiment."""
     target.mkdir(parents=True, exist_ok=True)
     lines = ["# What was measured", "", f"Written by `./run report --summary`. {TABLES_TEXT} "
-             "[quality.md](../../quality.md) explains them."]
+             "[quality.md](../../research/quality.md) explains them."]
     for name, title, plots, report in found:
         figures = list(plots.draw(report))
         lines += ["", f"## {title}", "", f"`./run bench {name}`: {measured_on(report)}", ""]

@@ -13,7 +13,7 @@ def draw(report):
     for part in report["parts"]:
         rows = [row for row in part["rows"] if None not in (row["frame_ms"]["ratio"]["value"], row["trimmed_mse"]["ratio"]["value"])]
         if not rows:
-            continue # no error tells anything: docs/quality.md, Rare paths
+            continue # no error tells anything: docs/research/quality.md, Rare paths
         figure, axes = pyplot.subplots(figsize=(6.5, 4.2), layout="constrained")
         for row in rows:
             time, error = row["frame_ms"]["ratio"], row["trimmed_mse"].get("typical", row["trimmed_mse"]["ratio"])

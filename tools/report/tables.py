@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Markdown tables of reports of `run bench`: what docs/results quotes. Ratios are over the baseline of their part: first that of
+"""Markdown tables of reports of `run bench`: what docs/research quotes. Ratios are over the baseline of their part: first that of
 the means, an estimate; then that of the typical run, with its 95% interval. Bold is a typical run below 1 that stands out
 among all comparisons of its table.
 
@@ -30,7 +30,7 @@ def load(path, measured):
 
 
 def forget_intervals(report):
-    """Takes the intervals out of an older report, which were about means and too narrow (docs/quality.md). Those of ratios of times
+    """Takes the intervals out of an older report, which were about means and too narrow (docs/research/quality.md). Those of ratios of times
     over at least four views stay: they were of order statistics."""
 
     def forget(value):

@@ -72,7 +72,7 @@ def draw(report):
     for level, parts in parts_by_level(report).items():
         found = points(parts)
         if not found:
-            continue # no error tells anything: docs/quality.md, Rare paths
+            continue # no error tells anything: docs/research/quality.md, Rare paths
         figure, axes = pyplot.subplots(figsize=(8.5, 5.5), layout="constrained")
         kept = front(found)
         rest = [point for point in found if point not in kept]

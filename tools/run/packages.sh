@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The packages that Vigil is built from, tested and measured with: their names on Debian, Ubuntu, Fedora and Arch, and their
-# installation. docs/systems.md tells which of these systems were tried.
+# installation. docs/play/systems.md tells which of these systems were tried.
 
 # Columns: what needs it; what is missing without it (empty: it is required); its names for apt (Debian, Ubuntu), dnf
 # (Fedora) and pacman (Arch). A name that other releases call otherwise is written A/B: the first one that exists is
