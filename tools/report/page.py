@@ -123,7 +123,7 @@ def write_summary(found, target):
         figures = list(plots.draw(report))
         lines += ["", f"## {title}", "", f"`./run bench {name}`: {measured_on(report)}", ""]
         lines += [f"![{figure_name}]({figure_name}.png)" for figure_name, _ in figures]
-        lines += ["", tables.markdown(report)]
+        lines += ["", "[trade.md](../../research/trade.md) has the tables." if name == "trade" else tables.markdown(report)]
         drawing.save(figures, target)
         seen = pictures.of_report(report)
         if seen:
