@@ -4,7 +4,7 @@
 a folder of the repository; every #place of a link is a heading of its page; every page can be reached from README.md.
 
 links_test.py FOLDER [EXCEPTIONS]: exits with 1 and one line for each that leads nowhere. EXCEPTIONS (tests/structure/links_exceptions)
-has lines "FILE PATH # reason" for what may be dead; a line that excuses nothing is an error too.
+has lines "FILE PATH # reason" for what may be dead (PATH *: all of the file); a line that excuses nothing is an error too.
 """
 import re
 import subprocess
@@ -76,8 +76,9 @@ def main(root: Path, exceptions: Path) -> int:
         if path.suffix == ".md":
             dead += dead_links(root, name, text, reached)
         for target in dead:
-            if excused.get((name, target)):
-                used.add((name, target))
+            entry = next((entry for entry in ((name, target), (name, "*")) if excused.get(entry)), None)
+            if entry:
+                used.add(entry)
             else:
                 faults.append(f"{name}: {target} leads nowhere")
     faults += [f"{name}: no page links to it" for name in names

@@ -25,6 +25,7 @@ tests   | no test opens a window, where there is no display | xvfb xauth        
 tests   | no test types into a window   | xdotool libx11-dev                         | xdotool libX11-devel              | xdotool libx11
 tests   | rays are not compared with Embree's | libembree-dev                        | embree-devel                      | embree
 tests   | formatting is not checked     | clang-format                               | clang-tools-extra                 | clang
+tests   | spelling is not checked       | codespell                                  | codespell                         | codespell
 tests   | clang-tidy looks for no faults | clang-tidy                               | clang-tools-extra                 | clang
 tests   | page, plots and faults are not tested | python3                            | python3                           | python
 game    |                               | python3                                    | python3                           | python

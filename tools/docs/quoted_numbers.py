@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """One source for every number: fills the numbers that pages quote from the reports that they come from.
 
-    python3 tools/docs/numbers.py            # writes them into README.md and docs/
-    python3 tools/docs/numbers.py --check    # writes nothing; exits with 1 and a line for each that is another
+    python3 tools/docs/quoted_numbers.py            # writes them into README.md and docs/
+    python3 tools/docs/quoted_numbers.py --check    # writes nothing; exits with 1 and a line for each that is another
 
 A quoted number stands between two marks, which pages do not show:
 
@@ -13,7 +13,7 @@ KEY is one of these:
 
 - TABLE/ROW/COLUMN[/N]: of the table below a line <!--table TABLE--> in a page of docs/, the N-th number (1) of the cell; "all" is the
   whole cell. ROW is the first cell of the row, COLUMN that of the head, both without `, * and links.
-- REPORT:PART/ROW/PATH: of docs/results/full/REPORT.json, the row with this label in the part of this name; PATH has the names of
+- REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full, the row with this label in the part of this name; PATH has the names of
   fields and indices, with dots between them. Of an interval it is the value.
 
 FORMAT: D digits ("2"); "D%" the same as a percentage with D decimals; "1/D" the reciprocal; "D+" the share above 1, as a percentage.
