@@ -86,7 +86,7 @@ MEASURES = (
     ("Trimmed MSE at equal time",
      lambda row: (row["trimmed_mse"]["ratio_at_equal_time"], row["trimmed_mse"].get("typical_at_equal_time"))),
     ("Relative MSE at equal samples", lambda row: (row["relative_mse"]["ratio"], row["relative_mse"].get("typical"))),
-    ("Milliseconds of a frame", lambda row: (None, row["frame_ms"]["ratio"])),
+    ("Time of a frame", lambda row: (None, row["frame_ms"]["ratio"])),
 )
 
 
@@ -163,7 +163,7 @@ def ring(report):
 
 
 def timing(report):
-    yield by_technique("Path tracing", report["parts"], lambda row: (None, row["path_ms"]["ratio"]))
+    yield by_technique("Time of path tracing", report["parts"], lambda row: (None, row["path_ms"]["ratio"]))
     yield by_technique("Preparation over path tracing", report["parts"], 
                        lambda row: (None, row["prepare_ms"]["share_of_path"]))
     for part in report["parts"]:
