@@ -57,24 +57,27 @@ class Pages(unittest.TestCase):
 
 class Numbers(Pages):
     def test_fills_tables_and_reports(self):
-        status, _ = self.numbers("<!--n t/a/vlc, time-->x<!--/n--> <!--n t/a/range/2-->x<!--/n--> <!--n t/a/range/all-->x<!--/n--> "
+        status, _ = self.numbers("It is <!--n t/a/vlc, time-->x<!--/n--> <!--n t/a/range/2-->x<!--/n--> <!--n t/a/range/all-->x<!--/n--> "
                                  "<!--n quality:w/vlc/mse; 2-->x<!--/n--> <!--n quality:w/vlc/mse.ratio-->x<!--/n--> "
                                  "<!--n t/a/vlc, time; 0%-->x<!--/n--> <!--n t/a/vlc, time; 1/2-->x<!--/n-->")
         self.assertEqual(status, 0)
         text = (self.root / "README.md").read_text()
-        self.assertEqual(quoted.plain(text), "0.30 1.2 1.5 [1.2, 2.5] 0.12 374 30% 3.3")
+        self.assertEqual(quoted.plain(text), "It is 0.30 1.2 1.5 [1.2, 2.5] 0.12 374 30% 3.3")
 
     def test_notices_another_number(self):
-        status, said = self.numbers("<!--n t/a/vlc, time-->0.31<!--/n-->", "--check")
+        status, said = self.numbers("is <!--n t/a/vlc, time-->0.31<!--/n-->", "--check")
         self.assertEqual(status, 1)
         self.assertIn("is 0.30, not 0.31", said)
         self.assertIn("0.31", (self.root / "README.md").read_text())
 
     def test_notices_keys_that_lead_nowhere(self):
         for key in ("t/b/vlc, time", "t/a/lh", "u/a/lh", "t/a/vlc, time/2", "quality:w/lh/mse", "quality:w/vlc/no", "none:w/vlc/mse"):
-            status, said = self.numbers(f"<!--n {key}-->1<!--/n-->", "--check")
+            status, said = self.numbers(f"is <!--n {key}-->1<!--/n-->", "--check")
             self.assertEqual(status, 1, key)
             self.assertIn(key, said)
+
+    def test_notices_marks_that_begin_a_line(self):
+        self.assertIn("begins the line", self.numbers("word\n<!--n t/a/vlc, time-->0.30<!--/n-->", "--check")[1])
 
     def test_notices_numbers_without_a_source(self):
         self.assertEqual(self.numbers("It is 0.5 times as fast.", "--check")[0], 1)
@@ -110,6 +113,10 @@ class Sentences(Pages):
     def test_counts_paragraphs_items_and_cells(self):
         for text in (LONG, f"Short. {LONG}", f"- {LONG}", f"- word\n  {LONG}", f"| {LONG} | b |", f"## {LONG}"):
             self.assertEqual(len(self.longest(text)), 1, text)
+
+    def test_notices_text_that_joins_a_table(self):
+        self.assertEqual(sentences_test.joined_to_tables("| a |\n|---|\n| b |\ntext\n"), [4])
+        self.assertEqual(sentences_test.joined_to_tables("| a |\n|---|\n| b |\n\ntext\n"), [])
 
     def test_leaves_out_code_marks_and_numbers(self):
         half = "word " * (sentences_test.LIMIT // 2)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sentences that can be read once: none in README.md and docs/ has more than 30 words.
 
-sentences_test.py FOLDER [--longest N]: exits with 1 and a line for each that is longer; --longest lists the N longest instead.
+sentences_test.py FOLDER [--longest N]: exits with 1 and a line for each that is longer, and for each line that joins a table; --longest lists the N longest instead.
 tests/structure/sentences_exceptions has lines "FILE: how it begins # reason" for what may be longer; a beginning of * is the whole
 page. A line that excuses nothing is an error too.
 
@@ -42,6 +42,13 @@ def blocks(text):
         block.append(line[begins.end():] if begins else line.strip())
 
 
+def joined_to_tables(text):
+    """Numbers of lines that Markdown takes for a row of the table above, as no empty line is between."""
+    lines = text.split("\n")
+    return [number for number, (above, line) in enumerate(zip(lines, lines[1:]), 2)
+            if above.startswith("|") and line.strip() and not line.startswith(("|", "#"))]
+
+
 def sentences(block):
     block = re.sub(r"!\[[^\]]*\]\([^)]*\)", "", block)
     block = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", block)
@@ -68,6 +75,7 @@ def main(root, longest):
         name = str(page.relative_to(root))
         if name.startswith(SKIPPED):
             continue
+        found += [(0, f"{name}:{line}: this line joins the table above") for line in joined_to_tables(page.read_text())]
         for line, block in blocks(page.read_text()):
             for sentence in sentences(block):
                 length = len(words(sentence))

@@ -150,6 +150,12 @@ def unmarked(root, texts):
     return found
 
 
+def misplaced(root, texts):
+    """Lines that begin with a mark: Markdown takes them for HTML, and ends the paragraph there."""
+    return [f"{page.relative_to(root)}:{number}: a mark begins the line" for page, text in texts.items()
+            for number, line in enumerate(text.splitlines(), 1) if line.lstrip().startswith("<!--n ")]
+
+
 def main(arguments):
     check = "--check" in arguments
     root = Path(next((argument for argument in arguments if not argument.startswith("--")), ROOT)).resolve()
@@ -164,7 +170,7 @@ def main(arguments):
         for old, new in zip(MARK.finditer(texts[page]), MARK.finditer(text)):
             if old["text"] != new["text"]:
                 faults.append(f"{page.relative_to(root)}: {old['key']} is {new['text']}, not {old['text']}")
-    faults += unmarked(root, filled)
+    faults += unmarked(root, filled) + misplaced(root, filled)
     count = sum(len(MARK.findall(text)) for text in filled.values())
     print("\n".join(faults) if faults else f"{count} numbers are those of their reports")
     return 1 if faults else 0
