@@ -16,6 +16,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "tools" / "docs")]
 
 import links_test
+import names_test
 import quoted_numbers as quoted
 import sentences_test
 
@@ -123,6 +124,27 @@ class Sentences(Pages):
         for text in (f"    {LONG}", f"```\n{LONG}\n```", f"<!--{LONG}-->", f"a `{LONG}`", f"{half}. {half}.", f"- {half}\n- {half}",
                      f"| {half} | {half} |"):
             self.assertEqual(self.longest(text), [], text)
+
+
+class Names(Pages):
+    def names(self, text):
+        self.write("docs/play/cvars.md", "| `pt_nee` | `vlc` |\n")
+        self.write("docs/learn/lesson.md", "Type\n\n    pt_nee sll\n    vlcinfo\n")
+        self.write("src/client/commands.cpp", '{"vlcinfo", ": prints"}, {"pt_preset", ": sets"}')
+        self.write("README.md", text)
+        return self.run_quietly(names_test.main, self.root)
+
+    def test_notices_variables_and_commands_that_do_not_exist(self):
+        self.assertEqual(self.names("`pt_nee`, `pt_preset` and `pt_...`")[0], 0)
+        self.assertIn("no variable pt_no", self.names("`pt_no 1`")[1])
+        self.names("word")
+        self.write("docs/learn/lesson.md", "Type\n\n    vlcinf\n")
+        self.assertIn("nobody can type vlcinf", self.run_quietly(names_test.main, self.root)[1])
+
+    def test_notices_acronyms_that_are_not_explained(self):
+        self.assertIn("MSE is not explained", self.names("The MSE is small.")[1])
+        self.assertEqual(self.names("The mean squared error (MSE) is small.")[0], 0)
+        self.assertEqual(self.names("The MSE is small ([glossary](glossary.md)).")[0], 0)
 
 
 if __name__ == "__main__":
