@@ -30,7 +30,7 @@ layout(set = 0, binding = BINDING_PASS_NEW_CACHES, scalar) restrict writeonly bu
 layout(set = 0, binding = BINDING_PASS_LISTS, scalar) restrict buffer ListBlock { uint leaf_lists[]; };
 layout(set = 0, binding = BINDING_PASS_WORK, scalar) restrict buffer WorkBlock { GuidingWork work; };
 
-layout(set = 0, binding = BINDING_PASS_OLD_CACHES, scalar) restrict readonly buffer OldVlcBlock { uint old_caches[]; };
+layout(set = 0, binding = BINDING_PASS_OLD_CACHES, scalar) restrict buffer OldVlcBlock { uint old_caches[]; };
 
 layout(set = 0, binding = BINDING_PASS_RAYS, scalar) restrict readonly buffer RaySampleBlock { uint ray_samples[]; };
 
@@ -41,6 +41,9 @@ uint leaf_capacity() { return 8u * header.node_capacity; }
 uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, header.node_capacity); }
 
 uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)]; }
+
+/// First of the words of a cache's buckets (VLC_BUCKET_WORDS), in the buffer of caches.
+uint bucket_words(uint first, uint buckets) { return first + buckets * settings.bucket; }
 
 // Bits of a plan's marks: children to split, and whether the node itself collapses into a leaf.
 const uint MARK_SPLITS = 0xffu;

@@ -19,6 +19,51 @@ void count_draw(uint light_sample) {
     }
 }
 
+// Draws from each bucket of the leaf's cache, and their squared estimates where they saw a light: in units that make a bucket's greatest
+// GREATEST_SQUARE, so that sums do not depend on the order.
+shared uint bucket_draws[VLC_TABLE_MOST_BUCKETS];
+shared uint bucket_squares[VLC_TABLE_MOST_BUCKETS];
+shared uint bucket_greatest[VLC_TABLE_MOST_BUCKETS]; // exponent of the greatest estimate + 1; 0: none
+const uint GREATEST_SQUARE = 1u << 19;
+
+uint estimate_exponent(uint light_sample) { return (light_sample >> LIGHT_SAMPLE_ESTIMATE_SHIFT) & 127u; }
+bool from_cache(uint light_sample) { return (light_sample & LIGHT_SAMPLE_DRAWN) == LIGHT_SAMPLE_CACHED; }
+
+/// Takes in what the draws from each bucket brought. Parts of a leaf that was split share a cache, and leave it as it is.
+void remember_buckets(uint leaf, uint first, uint kept, uint processed) {
+    const uint cache = leaf_word(LEAF_VLC, leaf);
+    const uint buckets = old_leaves[cache + 1u];
+    if (settings.weigh == 0u || buckets < 2u || (old_leaves[leaf_word(LEAF_SOURCE, leaf)] & SOURCE_SPLIT) != 0u) return;
+    for (uint b = gl_LocalInvocationID.x; b < buckets; b += LANES) bucket_draws[b] = bucket_squares[b] = bucket_greatest[b] = 0u;
+    barrier();
+    for (uint i = gl_LocalInvocationID.x; i < processed; i += LANES) {
+        const uint light_sample = light_samples[first + spread_place(i, kept, processed)];
+        if (!from_cache(light_sample)) continue;
+        const uint b = light_sample & (buckets - 1u);
+        atomicAdd(bucket_draws[b], 1u);
+        if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) atomicMax(bucket_greatest[b], estimate_exponent(light_sample) + 1u);
+    }
+    barrier();
+    for (uint i = gl_LocalInvocationID.x; i < processed; i += LANES) {
+        const uint light_sample = light_samples[first + spread_place(i, kept, processed)];
+        if (!from_cache(light_sample) || (light_sample & LIGHT_SAMPLE_VISIBLE) == 0u) continue;
+        const uint b = light_sample & (buckets - 1u);
+        const uint halvings = min(2u * (bucket_greatest[b] - 1u - estimate_exponent(light_sample)), 31u);
+        atomicAdd(bucket_squares[b], GREATEST_SQUARE >> halvings);
+    }
+    barrier();
+    const uint words = bucket_words(old_leaves[cache], buckets);
+    for (uint b = gl_LocalInvocationID.x; b < buckets; b += LANES) {
+        const uint word = words + VLC_BUCKET_WORDS * b;
+        const float before = b == 0u ? 0.0 : uintBitsToFloat(old_caches[word - VLC_BUCKET_WORDS]);
+        const float probability = max(uintBitsToFloat(old_caches[word]) - before, 0.0);
+        // The root of the unit: its square may be too large for a float.
+        const float unit = probability * exp2(float(bucket_greatest[b]) - 65.0);
+        const float squares = float(bucket_squares[b]) / float(GREATEST_SQUARE) * unit * unit;
+        old_caches[word + 1u] = bucket_pack(bucket_update(bucket_unpack(old_caches[word + 1u]), float(bucket_draws[b]), squares));
+    }
+}
+
 void remember_draws(uint leaf) {
     vec4 sums = vec4(0.0);
     for (uint i = 0u; i < LANES; ++i) sums += draws[i];
@@ -47,6 +92,7 @@ void main() {
         count_draw(light_sample);
         if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) table_insert(buckets, light_sample & LIGHT_SAMPLE_ID_MASK, 0u);
     }
+    remember_buckets(leaf, first, kept, processed);
     barrier();
     for (uint bucket = lane; bucket < buckets; bucket += LANES) {
         const uint list = first + atomicAdd(found, sizes[bucket]);

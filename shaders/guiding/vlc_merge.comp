@@ -15,6 +15,8 @@ shared uint samples; // in the leaf and its neighbours
 shared uint too_full; // a power of two is set if there cannot be that few buckets
 shared uint lights;
 shared uint cache_first;
+shared float bucket_draws[VLC_TABLE_MOST_BUCKETS];
+shared float bucket_roots[VLC_TABLE_MOST_BUCKETS];
 
 /// The neighbour beyond a face, if this frame takes over its lights.
 uint find_neighbour(uint leaf, uint face) {
@@ -74,6 +76,52 @@ void try_buckets(uint table_buckets, uint buckets_before) {
     }
 }
 
+/// What is known of bucket `b` of so many, from those of the cache before: a part of one of them, or several joined.
+BucketMemory inherited_memory(uint b, uint buckets, uint words_before, uint buckets_before) {
+    BucketMemory memory = BucketMemory(0.0, 0.0);
+    for (uint old = b & (buckets_before - 1u); old < buckets_before; old += buckets) {
+        const BucketMemory part = bucket_unpack(old_caches[words_before + VLC_BUCKET_WORDS * old + 1u]);
+        memory.draws += part.draws;
+        memory.root += part.root;
+    }
+    memory.draws *= min(float(buckets) / float(buckets_before), 1.0);
+    if (buckets > buckets_before) memory.root *= float(buckets_before) / float(buckets);
+    return memory;
+}
+
+/// Writes the words of the cache's buckets, after all that the leaf is known to have learned.
+void write_bucket_words(uint words, uint buckets, uint words_before, uint buckets_before) {
+    const bool knows = settings.weigh != 0u && buckets > 1u && buckets_before > 0u;
+    for (uint b = gl_LocalInvocationID.x; b < buckets; b += LANES) {
+        BucketMemory memory = BucketMemory(0.0, 0.0);
+        if (knows) memory = inherited_memory(b, buckets, words_before, buckets_before);
+        bucket_draws[b] = memory.draws;
+        bucket_roots[b] = memory.root;
+        vlc_lights[words + VLC_BUCKET_WORDS * b + 1u] = bucket_pack(memory);
+    }
+    barrier();
+    if (gl_LocalInvocationID.x != 0u) return;
+    float draws = 0.0;
+    float weighed = 0.0;
+    for (uint b = 0u; b < buckets; ++b) {
+        draws += bucket_draws[b];
+        weighed += bucket_draws[b] * bucket_roots[b];
+    }
+    const float typical = draws > 0.0 ? weighed / draws : 0.0;
+    float sum = 0.0;
+    for (uint b = 0u; b < buckets; ++b) {
+        bucket_roots[b] = (bucket_draws[b] * bucket_roots[b] + BUCKET_DOUBT * typical) / (bucket_draws[b] + BUCKET_DOUBT);
+        sum += bucket_roots[b];
+    }
+    const float even = sum > 0.0 ? BUCKET_EVEN : 1.0;
+    float before = 0.0;
+    for (uint b = 0u; b < buckets; ++b) {
+        before += even / float(buckets);
+        if (sum > 0.0) before += (1.0 - even) * (bucket_roots[b] / sum);
+        vlc_lights[words + VLC_BUCKET_WORDS * b] = floatBitsToUint(b + 1u == buckets ? 1.0 : min(before, 1.0));
+    }
+}
+
 void main() {
     const uint lane = gl_LocalInvocationID.x;
     const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
@@ -94,7 +142,7 @@ void main() {
     // older ones are kept only where there is room for all.
     uint total = 0u;
     for (uint list = 0u; list < LISTS; ++list) total += list_length[list];
-    const uint quota = header.vlc_capacity / (settings.bucket * (7u * old_node_count + 1u));
+    const uint quota = header.vlc_capacity / (vlc_cache_words(1u, settings.bucket) * (7u * old_node_count + 1u));
     const uint most_buckets = min(table_most_buckets(), power_of_two_below(max(quota, 1u)));
     const bool keep = 3u * (total + lights_before) <= 2u * most_buckets * settings.bucket;
     const uint table_buckets = min(table_bucket_count(keep ? total + lights_before : total), most_buckets);
@@ -117,7 +165,7 @@ void main() {
 
     // Write the cache.
     if (lane == 0u) {
-        cache_first = atomicAdd(work.vlc_used, buckets * settings.bucket);
+        cache_first = atomicAdd(work.vlc_used, vlc_cache_words(buckets, settings.bucket));
         old_leaves[cache] = cache_first;
         old_leaves[cache + 1u] = buckets;
         old_leaves[leaf_word(LEAF_CACHED, leaf)] = lights;
@@ -131,6 +179,7 @@ void main() {
     for (uint slot = lane; slot < buckets * settings.bucket; slot += LANES) vlc_lights[cache_first + slot] = NONE;
     memoryBarrierBuffer();
     barrier();
+    write_bucket_words(bucket_words(cache_first, buckets), buckets, bucket_words(first_before, buckets_before), buckets_before);
     const uint joined = table_buckets / buckets;
     for (uint i = lane; i < table_buckets; i += LANES) {
         // This part of a bucket comes after the parts before it. Buckets lie by remainder, which is the reversed key.

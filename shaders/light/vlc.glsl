@@ -33,6 +33,22 @@ LightCache find_light_cache(uint leaf) {
     return LightCache(leaves[cache], leaves[cache + 1u]);
 }
 
+/// Word of the probability that bucket `b`, or one before it, is drawn.
+uint bucket_word(LightCache cache, uint b) { return cache.first + cache.buckets * bucket_size() + VLC_BUCKET_WORDS * b; }
+
+float bucket_probability(LightCache cache, uint b) {
+    const float before = b == 0u ? 0.0 : uintBitsToFloat(vlc_lights[bucket_word(cache, b - 1u)]);
+    return uintBitsToFloat(vlc_lights[bucket_word(cache, b)]) - before;
+}
+
+/// Draws a bucket by `u`, in [0, 1): bisection.
+uint draw_bucket(LightCache cache, float u) {
+    uint b = 0u;
+    for (uint steps = cache.buckets / 2u; steps > 0u; steps /= 2u)
+        if (!(u < uintBitsToFloat(vlc_lights[bucket_word(cache, b + steps - 1u)]))) b += steps;
+    return b;
+}
+
 uint bucket_of_light(LightCache cache, uint light) { return cache.first + (light & (cache.buckets - 1u)) * bucket_size(); }
 
 /// Whether a light is in the cache: bisection, as the lights of a bucket lie in the order of their reversed ids.
@@ -159,7 +175,8 @@ Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
 
 /// Probability that a light is drawn, after the one walk that can meet it.
 float mixture_probability(LightSearch search, Shares shares, bool cached, CandidateWalk walk) {
-    const float walks = cached ? shares.cache / float(search.cache.buckets) : shares.list / float(search.list_stride);
+    float walks = shares.list / float(search.list_stride);
+    if (cached) walks = shares.cache * bucket_probability(search.cache, walk.light & (search.cache.buckets - 1u));
     return shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 
@@ -176,9 +193,12 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     const bool from_list = !from_cache && kind < shares.list;
     uint tabled = NONE;
     bool cached = from_cache;
+    float walks = float(search.list_stride); // 1 / probability of this one
     Candidates candidates;
+    uint bucket = 0u;
     if (from_cache) {
-        const uint bucket = draw_index(u.y, search.cache.buckets);
+        bucket = draw_bucket(search.cache, u.y);
+        if (search.cache.buckets > 0u) walks = 1.0 / bucket_probability(search.cache, bucket);
         candidates = bucket_candidates(search, search.cache.first + bucket * bucket_size());
     } else if (from_list) {
         candidates = list_candidates(search, draw_index(u.y, search.list_stride));
@@ -194,9 +214,13 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
     if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
     if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
-    const float walks = float(from_cache ? search.cache.buckets : search.list_stride);
     choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
-    if (choice.light == NONE) return choice;
+    if (choice.light == NONE) {
+        // What is not seen says by its last bits which bucket it was drawn from.
+        choice.memory.y |= from_cache ? bucket : LIGHT_SAMPLE_NONE;
+        return choice;
+    }
+    choice.memory.y |= min(choice.light, LIGHT_SAMPLE_NONE); // one of too many to remember
     const float probability = mixture_probability(search, shares, cached, walk);
     // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it. Beside the cache, its lights are not drawn.
     if (probability > 0.0 && !(beside > 0.0 && cached)) choice.weight = 1.0 / probability;
@@ -205,8 +229,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
 }
 
 void learn_light(LightChoice choice, uint outcome) {
-    const uint light = min(choice.light, LIGHT_SAMPLE_NONE); // no light, or one of too many to remember
-    store_light_sample(choice.memory.x, light | choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
+    store_light_sample(choice.memory.x, choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
 }
 
 float light_probability(Surface surface, uint light) {

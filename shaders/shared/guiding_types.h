@@ -101,7 +101,49 @@ SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
 SHADER_CONST uint VLC_AGE_SHIFT = 27u;
 SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
 
-/// What a leaf's draws estimated, from lists in running sums over the last hundred or so, and what follows from it: `share` of all
+/// Sums beyond this are kept as this: squares of estimates, which reach 2^126, must not add up to
+/// infinity.
+SHADER_CONST float EXPLORE_LARGEST_SUM = 1e37f;
+
+/// Words of a bucket in a cache's buffer beside its entries; they follow those of all the cache's buckets. First the probability that this bucket, or
+/// one before it, is drawn: a float, 1 for the last. Then what that follows from, a BucketMemory.
+SHADER_CONST uint VLC_BUCKET_WORDS = 2u;
+
+/// Words of a cache with buckets of so many entries.
+SHADER_FN uint vlc_cache_words(uint buckets, uint bucket_size) { return buckets * (bucket_size + VLC_BUCKET_WORDS); }
+
+/// What draws from a bucket estimated: the sum of its lights' importances where the light drawn was seen, else 0. Of its mean square, the root is
+/// the probability with which the bucket should be drawn, but for a factor: then the second moment of all draws is least.
+struct BucketMemory {
+    float draws; // at most BUCKET_DRAWS
+    float root;  // of the mean square
+};
+/// Draws that are remembered, and those that a bucket nobody knows counts for.
+SHADER_CONST float BUCKET_DRAWS = 48.0f;
+SHADER_CONST float BUCKET_DOUBT = 4.0f;
+/// Part of all draws that are spread evenly over buckets: what was learned may be wrong for a surface.
+SHADER_CONST float BUCKET_EVEN = 0.1f;
+
+SHADER_FN BucketMemory bucket_unpack(uint word) {
+    BucketMemory memory;
+    memory.draws = unpack_sum(word, 0u);
+    memory.root = unpack_sum(word, 1u);
+    return memory;
+}
+
+SHADER_FN uint bucket_pack(BucketMemory memory) { return pack_sums(memory.draws, memory.root); }
+
+/// The memory after a frame with so many draws, and the sum of the squares of their estimates.
+SHADER_FN BucketMemory bucket_update(BucketMemory memory, float draws, float squares) {
+    if (!(draws > 0.0f)) return memory;
+    memory.draws = min(memory.draws + draws, BUCKET_DRAWS);
+    const float fresh = min(draws / memory.draws, 1.0f);
+    const float before = min(memory.root, 1e18f);
+    memory.root = sqrt(mix(before * before, min(squares, EXPLORE_LARGEST_SUM) / draws, fresh));
+    return memory;
+}
+
+/// What draws estimated, from lists in running sums over the last hundred or so, and what follows from it: `share` of all
 /// draws should be from lists.
 ///
 /// A draw estimates the importance of all that its walks can meet, lights of the cache or the others: that of the light
@@ -125,10 +167,6 @@ SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
     memory.share = unpack_sum(words.y, 1u);
     return memory;
 }
-
-/// Sums beyond this are kept as this: squares of estimates, which reach 2^126, must not add up to
-/// infinity.
-SHADER_CONST float EXPLORE_LARGEST_SUM = 1e37f;
 
 SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
     return uvec2(pack_sums(memory.listed, memory.found), pack_sums(memory.cached, memory.share));
@@ -195,6 +233,7 @@ struct GuidingSettings {
     uint bucket;        // most lights in a bucket
     uint small_bucket;  // the same where buckets would get fewer than in the frame before (hysteresis)
     uint merge_faces;   // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
+    uint weigh;         // 1: buckets are drawn by what their draws brought; 0: evenly
     uint persist;       // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
     uint migrations;    // of a directional quadtree in a frame, at most
     float margin;       // how far a migration must pay off

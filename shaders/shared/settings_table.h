@@ -97,6 +97,8 @@
         "vlc: 1: light samples that look for lights are made beside those from the cache; 0: in their place, as the paper") \
     GPU_INTEGER(pt_vlc_adapt, Session, Reference, 1, 0, 1, \
         "vlc: 1: where looking for lights finds much that a cache lacks, a larger share of samples does; 0: the same everywhere, as the paper") \
+    INTEGER(pt_vlc_weigh, Session, Reference, 1, 0, 1, \
+        "vlc: 1: buckets are drawn by what draws from them brought; 0: evenly, as the paper") \
     REAL(pt_vlc_hysteresis, Session, Reference, 0.75, 0.0, 1.0, \
         "vlc: buckets must be emptier than this share before their number falls") \
     INTEGER(pt_vlc_merge, Session, Reference, 1, 0, 1, "vlc: 1: caches take over their neighbours' lights") \

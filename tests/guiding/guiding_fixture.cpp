@@ -101,7 +101,7 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     for (const Path& leaf : leaves_of(root.inner))
         root.source[leaf] = leaf;
     state_ = state_after(root, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
-                         std::vector<uint32_t>(guiding().header().vlc_capacity));
+                         std::vector<uint32_t>(guiding().header().vlc_capacity), settings_.bucket);
     if (cdq_bits_ > 0) {
         take_quadtrees(state_, seen, cdq_bits_, remember(),
                        std::vector<uint32_t>(guiding().header().sample_capacity));
@@ -161,14 +161,15 @@ void GuidingTest::ask_oracle() {
                          leaf.buckets,
                          leaf.cached,
                          leaf.inherited,
-                         leaf.explored};
+                         leaf.explored,
+                         leaf.drawn};
     }
     tree_ = adapt(
         state_.inner, counts,
         {settings_.split, settings_.collapse, header.node_capacity, shader::OCTREE_MAX_DEPTH});
     caches_ = make_caches(state_.inner, samples,
                           {settings_.bucket, settings_.small_bucket, settings_.merge_faces,
-                           header.vlc_capacity, settings_.persist});
+                           header.vlc_capacity, settings_.weigh != 0, settings_.persist});
     if (cdq_bits_ == 0) return;
     quadtrees_.clear();
     for (const auto& [path, leaf] : state_.leaves) {
@@ -212,7 +213,7 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
         ASSERT_TRUE(found.empty()) << found.text();
     }
     std::vector<uint32_t> rays = std::move(state_.rays);
-    state_ = state_after(tree_, caches_, seen, std::move(state_.samples), lights);
+    state_ = state_after(tree_, caches_, seen, std::move(state_.samples), lights, settings_.bucket);
     if (cdq_bits_ > 0) take_quadtrees(state_, seen, cdq_bits_, remember(), std::move(rays));
 }
 
@@ -241,8 +242,11 @@ void GuidingTest::two_frames_in_flight() {
     const Disagreements first = compare_statistics(state_, tree_, caches_, guiding().statistics(0));
     ASSERT_TRUE(first.empty()) << first.text();
     const TreeWords seen = download(between, guiding().header().node_capacity);
-    state_ = state_after(tree_, caches_, seen, std::move(state_.samples),
-                         download(between.caches, guiding().header().vlc_capacity));
+    state_ =
+        state_after(tree_, caches_, seen, std::move(state_.samples),
+                    download(between.caches, guiding().header().vlc_capacity), settings_.bucket);
+    for (auto& [path, leaf] : state_.leaves)
+        leaf.drawn = caches_.by_leaf.at(tree_.source.at(path)).drawn;
     ask_oracle();
     statistics_ = guiding().statistics(1);
     compare_with(between);
@@ -255,6 +259,7 @@ shader::GuidingSettings settings_with(uint32_t bucket, uint32_t persist) {
     settings.bucket = bucket;
     settings.small_bucket = bucket * 3 / 4;
     settings.merge_faces = 0x3f;
+    settings.weigh = 1;
     settings.persist = persist;
     return settings;
 }

@@ -376,8 +376,9 @@ TEST_F(GuidingTest, LightsStayIfAllJustHaveRoom) {
         for (uint32_t light = 0; light < 400; ++light)
             state_.samples[at + light] = light | shader::LIGHT_SAMPLE_VISIBLE;
         leaf.inherited = false;
-        leaf.first_light = at;
+        leaf.first_light = at + 16 * (before - 108);
         leaf.cached.clear();
+        leaf.drawn.clear();
         Buckets buckets(16);
         for (uint32_t light = 1000; light < 1000 + before; ++light) {
             leaf.cached[light] = 1;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace vigil::test {
@@ -53,7 +54,9 @@ void random_cache(Dice& dice, const RandomLights& lights, const shader::GuidingS
                   uint32_t first, uint32_t different, LeafState& leaf,
                   std::vector<uint32_t>& caches) {
     const uint32_t count = dice.chance(0.3) ? 0 : 1u << dice.below(7);
-    if (count == 0 || leaf.first_light + count * settings.bucket > caches.size()) return;
+    if (count == 0 ||
+        leaf.first_light + shader::vlc_cache_words(count, settings.bucket) > caches.size())
+        return;
     Buckets buckets(count);
     for (uint32_t left = 1 + dice.below(60); left > 0; --left) {
         // Some are lights that samples may see again, others are not.
@@ -64,11 +67,28 @@ void random_cache(Dice& dice, const RandomLights& lights, const shader::GuidingS
         // Some are too old, as if pt_vlc_persist had become lower.
         leaf.cached[light] = dice.below(std::min(settings.persist + 3, shader::VLC_OLDEST));
     }
+    // Some buckets are not known, some bring nothing.
+    const bool known = dice.chance(0.8);
+    for (uint32_t b = 0; b < count; ++b) {
+        BucketDraw bucket{(b + 1.0) / count, 0.0, 0.0};
+        if (b + 1 < count) bucket.until -= dice.below(1000) / 2000.0 / count;
+        if (known && dice.chance(0.8)) {
+            bucket.draws = 1 + dice.below(48);
+            if (dice.chance(0.8))
+                bucket.root = std::ldexp(128 + dice.below(128), static_cast<int>(dice.below(6)));
+        }
+        leaf.drawn.push_back(bucket);
+    }
     store_cache(leaf, buckets, settings.bucket, caches);
     leaf.inherited = dice.chance(0.2);
 }
 
 } // namespace
+
+uint32_t two_halves(double low, double high) {
+    return std::bit_cast<uint32_t>(static_cast<float>(low)) >> 16 |
+           (std::bit_cast<uint32_t>(static_cast<float>(high)) & 0xffff0000u);
+}
 
 void store_cache(LeafState& leaf, const Buckets& buckets, uint32_t bucket_size,
                  std::vector<uint32_t>& caches) {
@@ -79,6 +99,12 @@ void store_cache(LeafState& leaf, const Buckets& buckets, uint32_t bucket_size,
             caches.at(at++) = light + (leaf.cached.at(light) << shader::VLC_AGE_SHIFT);
     }
     leaf.buckets = static_cast<uint32_t>(buckets.size());
+    leaf.drawn.resize(buckets.size());
+    size_t at = leaf.first_light + buckets.size() * bucket_size;
+    for (const BucketDraw& bucket : leaf.drawn) {
+        caches.at(at++) = std::bit_cast<uint32_t>(static_cast<float>(bucket.until));
+        caches.at(at++) = two_halves(bucket.draws, bucket.root);
+    }
 }
 
 InnerNodes random_tree(Dice& dice, uint32_t nodes, double deep) {
@@ -160,7 +186,7 @@ TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights
 
         leaf.first_light = cached;
         random_cache(dice, lights, settings, first, different, leaf, state.caches);
-        cached += leaf.buckets * settings.bucket;
+        cached += shader::vlc_cache_words(leaf.buckets, settings.bucket);
     }
     return state;
 }

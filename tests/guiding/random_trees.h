@@ -24,6 +24,7 @@ struct LeafState {
     uint32_t first_light = 0;
     uint32_t buckets = 0;
     Ages cached;            // lights in the cache
+    BucketDraws drawn;      // how its buckets are drawn; as stored
     bool inherited = false; // the cache is a larger leaf's
     Explored explored;      // as stored: what two bytes hold of each
     uint32_t rays = 0;      // ray samples that fell into it; they share the room
@@ -58,6 +59,9 @@ struct RandomLights {
 TreeState random_samples(Dice& dice, const InnerNodes& inner, const RandomLights& lights,
                          const shader::GuidingSettings& settings,
                          const shader::GuidingHeader& header);
+
+/// The upper halves of two floats, as words of leaves and buckets hold them.
+uint32_t two_halves(double low, double high);
 
 /// Writes a leaf's cache of the lights `cached` from `first_light` on into the buffer of all
 /// caches.

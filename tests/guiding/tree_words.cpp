@@ -105,10 +105,14 @@ void check_ranges(std::vector<Range> ranges, uint64_t capacity, const char* what
     }
 }
 
-/// The upper halves of two floats.
-uint32_t two_halves(double low, double high) {
-    return std::bit_cast<uint32_t>(static_cast<float>(low)) >> 16 |
-           (std::bit_cast<uint32_t>(static_cast<float>(high)) & 0xffff0000u);
+/// How the buckets of a cache are drawn: two words for each of them from `words` on.
+BucketDraws drawn_at(std::span<const uint32_t> words) {
+    BucketDraws drawn;
+    for (size_t i = 0; i + 1 < words.size(); i += VLC_BUCKET_WORDS)
+        drawn.push_back({static_cast<double>(std::bit_cast<float>(words[i])),
+                         static_cast<double>(std::bit_cast<float>(words[i + 1] << 16)),
+                         static_cast<double>(std::bit_cast<float>(words[i + 1] & 0xffff0000u))});
+    return drawn;
 }
 
 Explored explored_at(const TreeWords& words, uint32_t leaf) {
@@ -303,7 +307,7 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
             continue;
         }
         if (buckets == 0) continue;
-        const uint64_t end = uint64_t{first} + uint64_t{buckets} * bucket;
+        const uint64_t end = uint64_t{first} + vlc_cache_words(buckets, bucket);
         ranges.push_back({first, end, leaf});
         if (end > lights.size()) continue; // reported with the ranges
 
@@ -318,6 +322,23 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
                 found.add(fmt::format("{}: bucket {} of {}: expected {}, seen {}", where, b,
                                       buckets, want, got));
         }
+
+        // How they are drawn: memories are rounded to two bytes, twice.
+        const BucketDraws drawn =
+            drawn_at(lights.subspan(first + buckets * bucket, size_t{2} * buckets));
+        for (uint32_t b = 0; b < buckets; ++b) {
+            const BucketDraw& want = cache.drawn[b];
+            const BucketDraw& got = drawn[b];
+            if (std::abs(got.until - want.until) > 0.01 ||
+                std::abs(got.draws - want.draws) > 0.01 * want.draws ||
+                std::abs(got.root - want.root) > 0.012 * want.root + 1e-18)
+                found.add(fmt::format(
+                    "{}: bucket {} of {}: expected {} draws of {}, until {}, seen {} of {}, {}",
+                    where, b, buckets, want.draws, want.root, want.until, got.draws, got.root,
+                    got.until));
+        }
+        if (drawn.back().until != 1.0)
+            found.add(fmt::format("{}: buckets are drawn until {}", where, drawn.back().until));
     }
     check_ranges(std::move(ranges), lights.size(), "cache", numbers, found);
     return found;
@@ -449,7 +470,8 @@ Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree
 }
 
 TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
-                      std::vector<uint32_t> samples, std::vector<uint32_t> lights) {
+                      std::vector<uint32_t> samples, std::vector<uint32_t> lights,
+                      uint32_t bucket) {
     TreeState state;
     state.inner = tree.inner;
     state.samples = std::move(samples);
@@ -467,6 +489,9 @@ TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const Tre
         leaf.first_light = seen.at(LEAF_VLC, number, 0);
         leaf.buckets = static_cast<uint32_t>(cache->second.buckets.size());
         leaf.cached = cache->second.ages;
+        leaf.drawn = drawn_at(
+            std::span(state.caches)
+                .subspan(leaf.first_light + leaf.buckets * bucket, size_t{2} * leaf.buckets));
     }
     return state;
 }

@@ -84,9 +84,9 @@ Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree
                                  const Caches& caches, const shader::GuidingWork& seen);
 
 /// The tree after the passes, before samples are placed in it. `caches` are those of the tree
-/// before, `lights` is the buffer of all caches.
+/// before, `lights` is the buffer of all caches, of buckets of `bucket` lights.
 TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
-                      std::vector<uint32_t> samples, std::vector<uint32_t> lights);
+                      std::vector<uint32_t> samples, std::vector<uint32_t> lights, uint32_t bucket);
 /// The same for the quadtrees of its leaves, of `bits` bits each, and what they remember if they
 /// do; `rays` is the buffer of ray samples.
 void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits, bool remember,

@@ -75,6 +75,69 @@ Explored explore(const Explored& before, std::span<const uint32_t> kept) {
     return after;
 }
 
+/// What is remembered of each bucket after this frame's draws from the cache.
+void learn_buckets(BucketDraws& drawn, std::span<const uint32_t> kept) {
+    std::vector<double> draws(drawn.size()), squares(drawn.size());
+    for (const size_t place : sample_places(kept.size(), shader::VLC_MOST_SAMPLES)) {
+        const uint32_t sample = kept[place];
+        if ((sample >> 29 & 3) != 0) continue; // not by the cache
+        const size_t bucket = sample % drawn.size();
+        draws[bucket] += 1.0;
+        if (sample >> 31 != 0)
+            squares[bucket] += std::ldexp(1.0, 2 * (static_cast<int>(sample >> 22 & 127) - 64));
+    }
+    for (size_t b = drawn.size(); b-- > 0;) {
+        if (draws[b] == 0.0) continue;
+        const double probability = drawn[b].until - (b > 0 ? drawn[b - 1].until : 0.0);
+        const double fresh = squares[b] * probability * probability / draws[b];
+        BucketDraw& memory = drawn[b];
+        memory.draws = std::min(memory.draws + draws[b], 48.0);
+        const double part = std::min(draws[b] / memory.draws, 1.0);
+        memory.root = std::sqrt((1.0 - part) * memory.root * memory.root + part * fresh);
+    }
+}
+
+/// What is remembered of `count` buckets where there were others: sums of importances add up.
+BucketDraws hand_on_buckets(const BucketDraws& before, size_t count) {
+    BucketDraws after(count);
+    if (before.empty()) return after;
+    if (before.size() >= count) {
+        for (size_t b = 0; b < before.size(); ++b) {
+            after[b % count].root += before[b].root;
+            after[b % count].draws +=
+                before[b].draws * static_cast<double>(count) / static_cast<double>(before.size());
+        }
+    } else {
+        const double parts = static_cast<double>(count) / static_cast<double>(before.size());
+        for (size_t b = 0; b < count; ++b) {
+            after[b].root = before[b % before.size()].root / parts;
+            after[b].draws = before[b % before.size()].draws;
+        }
+    }
+    return after;
+}
+
+/// Nine tenths of the draws go where they are expected to bring most.
+void share_draws(BucketDraws& drawn) {
+    double draws = 0.0, known = 0.0, sum = 0.0;
+    for (const BucketDraw& bucket : drawn) {
+        draws += bucket.draws;
+        known += bucket.draws * bucket.root;
+    }
+    const double typical = draws > 0.0 ? known / draws : 0.0;
+    std::vector<double> expected;
+    for (const BucketDraw& bucket : drawn) {
+        expected.push_back((bucket.draws * bucket.root + 4.0 * typical) / (bucket.draws + 4.0));
+        sum += expected.back();
+    }
+    double until = 0.0;
+    for (size_t b = 0; b < drawn.size(); ++b) {
+        const double even = 1.0 / static_cast<double>(drawn.size());
+        until += sum > 0.0 ? 0.1 * even + 0.9 * expected[b] / sum : even;
+        drawn[b].until = until;
+    }
+}
+
 /// A hash table that keeps the first ids of a full bucket.
 Buckets fill_table(const Lights& lights, uint32_t buckets, uint32_t bucket_size, bool& left_out) {
     Buckets table(buckets);
@@ -155,7 +218,7 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
     // All caches together fit in the buffer, even if every leaf used its quota.
     const auto leaves = static_cast<uint32_t>(7 * inner.size() + 1);
     const uint32_t quota =
-        power_below(std::max(1u, limits.vlc_capacity / (limits.bucket * leaves)));
+        power_below(std::max(1u, limits.vlc_capacity / ((limits.bucket + 2) * leaves)));
 
     const uint32_t most_buckets = std::min(most_table_buckets(limits.bucket), quota);
 
@@ -206,6 +269,14 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
         cache.buckets = merge_buckets(table, leaf_samples.previous_buckets, limits);
         for (const uint32_t light : lights_in(cache.buckets))
             cache.ages[light] = lights.at(light);
+
+        // How to draw them.
+        BucketDraws drawn = leaf_samples.drawn;
+        if (drawn.size() > 1 && !leaf_samples.inherited) learn_buckets(drawn, leaf_samples.kept);
+        const bool knows = limits.weigh && cache.buckets.size() > 1;
+        cache.drawn = knows ? hand_on_buckets(drawn, cache.buckets.size())
+                            : BucketDraws(cache.buckets.size());
+        share_draws(cache.drawn);
     }
     return caches;
 }

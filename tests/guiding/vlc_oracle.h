@@ -29,6 +29,7 @@ struct CacheLimits {
     uint32_t small_bucket; // the same where there would be fewer buckets than in the frame before
     uint32_t merge_faces;  // bit i: take over lights of the neighbour beyond face i
     uint32_t vlc_capacity; // light ids that fit in all caches
+    bool weigh = false;    // buckets are drawn by what draws brought
     uint32_t persist = 0;  // frames that lights stay after they were seen; 0: as in the paper
 };
 
@@ -36,6 +37,14 @@ struct CacheLimits {
 struct Explored {
     double listed = 0.0, found = 0.0, cached = 0.0, share = 0.0;
 };
+
+/// How a bucket of a cache is drawn (guiding_types.h, VLC_BUCKET_WORDS), and what that follows
+/// from.
+struct BucketDraw {
+    double until = 1.0;             // probability of it and of those before it
+    double draws = 0.0, root = 0.0; // remembered; root mean square of what they brought
+};
+using BucketDraws = std::vector<BucketDraw>;
 
 /// What is known of a leaf before its cache is made.
 struct LeafSamples {
@@ -45,6 +54,7 @@ struct LeafSamples {
     Ages previous;                  // the lights in it
     bool inherited = false;         // it was made for a larger leaf
     Explored explored{};
+    BucketDraws drawn{}; // of the cache before
 };
 
 struct Cache {
@@ -52,6 +62,7 @@ struct Cache {
     Buckets buckets; // own and neighbours' lights; none if there are no lights
     Ages ages;       // of the lights in buckets
     Explored explored{};
+    BucketDraws drawn; // of the buckets
 };
 
 struct Caches {

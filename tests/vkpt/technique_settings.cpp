@@ -33,6 +33,7 @@ const TechniqueSettings known[] = {
      {{"pt_vlc_bucket", "4"},
       {"pt_explore_local", "0"},
       {"pt_vlc_explore", "0.5"},
+      {"pt_vlc_weigh", "0"},
       {"pt_vlc_beside", "0"}},
      {1, 16, 0.5},
      false},

@@ -21,7 +21,7 @@ constexpr uint64_t plan_words = 4;
 /// 65,535.
 constexpr uint32_t most_nodes = 8192, least_nodes = 64;
 /// Light ids per leaf that the caches have room for on average, with all nodes in use.
-constexpr uint64_t cache_words_per_leaf = shader::VLC_LARGEST_BUCKET;
+constexpr uint64_t cache_words_per_leaf = shader::VLC_LARGEST_BUCKET + shader::VLC_BUCKET_WORDS;
 /// Light samples per pixel that there is room for. A frame stores two at most; the rest is for
 /// leaves that expect more than they get.
 constexpr uint64_t samples_per_pixel = 4;
@@ -110,6 +110,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide
     options.guide = choose_guide(guide, settings);
     if (const Guider* guider = guider_of(guide)) guider->set(options.settings, settings);
     options.settings.memory_rays = static_cast<uint32_t>(settings.pt_cdq_rays);
+    options.settings.weigh = static_cast<uint32_t>(settings.pt_vlc_weigh);
     options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
     if (settings.pt_vlc_persist >= persist_for_half)
