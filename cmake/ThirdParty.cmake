@@ -54,7 +54,7 @@ elseif(IMGUI_FOUND)
   target_link_libraries(vigil_imgui INTERFACE PkgConfig::IMGUI)
 else()
   message(FATAL_ERROR "Dear ImGui is missing. Debian and Ubuntu: libimgui-dev. Elsewhere: -DVIGIL_IMGUI_SOURCE=FOLDER, "
-    "a folder of its sources; docs/systems.md tells where they come from.")
+    "a folder of its sources; docs/play/systems.md tells where they come from.")
 endif()
 
 # For measurements, tools and tests alone. Of Boost only what is in headers (Boost.Math).

@@ -3,7 +3,7 @@
 // lights that renderers make who know nothing of their level: pt_ris_candidates lights from one table over all of them, each weighted by its
 // importance over its probability, and one kept in proportion. Nothing is reused between pixels or frames. The table is the one
 // that `vlc` explores with, weighted anew each frame by power, change and nearness to the camera.
-// Host side: refresh/vkpt/light/ris.cpp. docs/adding-a-sampler.md leads through this file.
+// Host side: refresh/vkpt/light/ris.cpp. docs/research/adding-a-sampler.md leads through this file.
 #include "light/alias.glsl"
 #include "light/importance.glsl"
 

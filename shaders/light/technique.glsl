@@ -15,7 +15,7 @@
 //   STORES_LIGHT_SAMPLES 1        learn_light stores every draw in the octree, which counts surfaces by them
 //   LIGHTS_FOUND_BY_RAYS 1        rays bring the emission that they run into; no light is drawn
 // Its host side is refresh/vkpt/light/NAME.cpp, its row is in shared/techniques.h. selected_technique.glsl is made by the build, one
-// per row. docs/adding-a-sampler.md leads through an example.
+// per row. docs/research/adding-a-sampler.md leads through an example.
 #ifndef VIGIL_LIGHT_TECHNIQUE_GLSL
 #define VIGIL_LIGHT_TECHNIQUE_GLSL
 

@@ -99,7 +99,7 @@ float row_number(uint vertex) {
 }
 
 /// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the
-/// path's throughput. Measured: docs/results/beside.md. Where a ray follows, `light_probability` must know the number of draws: all are made.
+/// path's throughput. Measured: docs/research/techniques.md. Where a ray follows, `light_probability` must know the number of draws: all are made.
 const float BESIDE_INDIRECT = 0.25;
 
 /// `vertex` counts the path's vertices.

@@ -2,7 +2,7 @@
 // The list of guiders: what indirect rays are drawn by, besides the BRDF. C++ makes the choices of
 // `pt_guide` from it and CMake compiles the passes that draw or learn directions once per row (it
 // reads this file line by line, so a row stays on one line). The guiders themselves are in
-// shaders/guiding and refresh/vkpt/guiding; docs/adding-a-guider.md adds one.
+// shaders/guiding and refresh/vkpt/guiding; docs/research/adding-a-guider.md adds one.
 #ifndef VIGIL_SHARED_GUIDERS_H
 #define VIGIL_SHARED_GUIDERS_H
 

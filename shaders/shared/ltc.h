@@ -145,7 +145,7 @@ SHADER_FN vec2 point_form_factor(vec3 v0, vec3 e1, vec3 e2, vec3 height, float f
 /// `light_facing`, and positive. Never zero when some vertex is above the horizon, exactly zero
 /// when none is. Its errors: below 20% of itself for triangles whole above the horizon, within 5% of the
 /// solid angle over pi for those cut by it (tests/numerics/lights_test.cpp); mostly below 0.1%
-/// (docs/light-sampling.md).
+/// (docs/internals/light-sampling.md).
 SHADER_FN float form_factor(vec3 normal, vec3 v0, vec3 e1, vec3 e2, float facing) {
     vec3 height = dot(normal, v0) + vec3(0.0f, dot(normal, e1), dot(normal, e2));
     if (!(max(height.x, max(height.y, height.z)) > 0.0f)) return 0.0f;

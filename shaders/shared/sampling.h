@@ -108,7 +108,7 @@ SHADER_CONST float RAY_OFFSET_REACH = 1024.0f;
 /// from. A point interpolated from the triangle's vertices is off its plane by at most one unit in
 /// the last place of the coordinates; the offset is 8 to 16: 0.002 at the origin, 0.008 at 4,096
 /// and 0.06 at 32,768 map units, far below the thinnest walls (1 unit). A point at origin + t *
-/// direction may be off by more (docs/light-sampling.md).
+/// direction may be off by more (docs/internals/light-sampling.md).
 SHADER_FN vec3 offset_ray_origin(vec3 position, vec3 normal) {
     vec3 size = abs(position);
     float reach = max(max(size.x, size.y), max(size.z, RAY_OFFSET_REACH));

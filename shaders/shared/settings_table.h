@@ -2,7 +2,7 @@
 // The one table of console variables: name, life, what it affects, default, range and help text.
 // C++ and GLSL compile the same text. GpuSettings at the end is what shaders read of it,
 // refresh/settings.h what the renderer reads, and console/cvar.h holds all of it.
-// tools/cvar_docs makes docs/cvars.md from it.
+// tools/cvar_docs makes docs/play/cvars.md from it.
 #ifndef VIGIL_SHARED_SETTINGS_TABLE_H
 #define VIGIL_SHARED_SETTINGS_TABLE_H
 

@@ -2,7 +2,7 @@
 // Walks one bottom-level hierarchy with a ray, nearer children first (for any hit, larger ones
 // first, after Nah and Manocha 2014), with a stack of one word per level. Every round of the loop
 // loads one record and does the work of an inner record and of a leaf: lanes that run in lockstep
-// then never wait for each other's kind (docs/tracing.md has the alternatives). The text compiles
+// then never wait for each other's kind (docs/internals/tracing.md has the alternatives). The text compiles
 // as GLSL and as C++ (tests): whoever includes it defines `uvec4 bvh_load_node(uint word)` before.
 #ifndef VIGIL_TRACE_BVH_TRAVERSE_GLSL
 #define VIGIL_TRACE_BVH_TRAVERSE_GLSL

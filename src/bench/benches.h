@@ -9,7 +9,7 @@
 namespace vigil::bench {
 
 /// How long the Light Hierarchy takes to build on the host, and how large it is, for 100 to 100,000
-/// lamps in a hall; the best of 15 builds. Its table is in docs/light-sampling.md.
+/// lamps in a hall; the best of 15 builds. Its table is in docs/internals/light-sampling.md.
 int run_hierarchy_bench(std::span<const std::string> arguments);
 
 /// Rays per second of the compute backend and of Embree on the same rays in the same run. Returns 1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a benchmark is asked to do, as data: levels, rows (a technique with variables), and how
 // often and how long to measure. Parsed from the command line by CLI11, whose --help lists all;
-// docs/quality.md explains them.
+// docs/research/quality.md explains them.
 #pragma once
 
 #include <filesystem>

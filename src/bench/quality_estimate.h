@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Statistics of the quality benchmark: what repeated measurements by view and seed say, and the
 // error of a picture against a noisy reference. Squared errors have heavy tails, so an interval is
-// about the typical run (a median), never about a mean; docs/quality.md says why. No GPU, no files.
+// about the typical run (a median), never about a mean; docs/research/quality.md says why. No GPU,
+// no files.
 #pragma once
 
 #include "bench/reference.h"

@@ -2,7 +2,7 @@
 // The one error type. Anything that fails because of the outside world (a file, a device, a typed
 // command) throws it with a message a person can act on. It stops where the client runs something:
 // a command (CommandRegistry), a part of a frame (Client::attempt) or all of it (run_program).
-// docs/front-end.md says what else may catch it, and why.
+// docs/internals/front-end.md says what else may catch it, and why.
 #pragma once
 
 #include <fmt/format.h>

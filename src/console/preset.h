@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Presets: the paper as it stands, and a few choices of speed against accuracy, so that nobody must
-// know a variable. Each is a row of `run bench trade`; docs/trade.md has what it measured.
+// know a variable. Each is a row of `run bench trade`; docs/research/trade.md has what it measured.
 #pragma once
 
 #include "console/cvar.h"

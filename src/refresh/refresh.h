@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The renderer's interface: what a frame is (settings, view, entities, lights, pictures on top) and
 // what comes back (a picture, linear radiance, times per pass). A front end fills a Frame, and
-// refresh/vkpt draws it; tests/examples/one_frame.cpp is the shortest. docs/front-end.md has the
-// order of calls, and what happens where numbers do not stay the same. Functions throw Error or
-// std::bad_alloc, nothing else. Nothing here knows Vulkan beyond the opaque handles a window needs
-// to make a surface.
+// refresh/vkpt draws it; tests/examples/one_frame.cpp is the shortest. docs/internals/front-end.md
+// has the order of calls, and what happens where numbers do not stay the same. Functions throw
+// Error or std::bad_alloc, nothing else. Nothing here knows Vulkan beyond the opaque handles a
+// window needs to make a surface.
 #pragma once
 
 #include "refresh/reports.h"
@@ -64,7 +64,7 @@ enum EntityFlags : uint32_t {
 };
 
 /// One placed model. `number` is unique in a frame and stays the same while the entity exists; see
-/// docs/front-end.md for what happens where it does not.
+/// docs/internals/front-end.md for what happens where it does not.
 struct Entity {
     int number = 0;
     ModelHandle model = -1;
@@ -148,12 +148,13 @@ struct Draw {
     glm::ivec2 clip_size{std::numeric_limits<int>::max()};
 };
 
-/// Radiance that stands for what the first Quake II draws at full brightness (docs/units.md).
+/// Radiance that stands for what the first Quake II draws at full brightness
+/// (docs/internals/units.md).
 inline constexpr float particle_radiance = 20.0f;
 
 /// The first Quake II's light of an effect, with the radius that its game gives, is a ball of
 /// game_light_size times that radius, and its colour times game_light_radiance times that radius is
-/// the ball's radiance (docs/units.md says why).
+/// the ball's radiance (docs/internals/units.md says why).
 inline constexpr float game_light_size = 1.0f / 25.0f, game_light_radiance = 11.4f;
 
 /// Light styles are multipliers of emitted radiance; Quake II has 256.
@@ -324,7 +325,7 @@ public:
     /// anew.
     virtual void reset_guiding() = 0;
     /// Writes the level with this view as glTF 2.0 (PATH.gltf + PATH.bin + textures);
-    /// docs/export.md has units.
+    /// docs/internals/export.md has units.
     virtual void export_scene(const Frame& frame, const std::string& path) = 0;
 };
 

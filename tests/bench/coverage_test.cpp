@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How often each interval of the benchmark holds the truth, over synthetic experiments whose
 // measurements have tails like those of fireflies, at the numbers of views and seeds in use. Each
-// test prints its table; docs/quality.md quotes it.
+// test prints its table; docs/research/quality.md quotes it.
 #include "bench/quality_estimate.h"
 
 #include <fmt/format.h>

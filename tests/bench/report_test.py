@@ -15,7 +15,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "report"))
 
 import agreement
+import colors
 import defaults
+import summary
 import tables
 
 
@@ -101,6 +103,26 @@ class Tables(unittest.TestCase):
             _, lines = tables.by_technique("", shown["parts"], tables.MEASURES[2][1])
             self.assertIn(text, lines[0][2])
         self.assertNotIn("**", lines[0][2])
+
+
+class Summary(unittest.TestCase):
+    def test_says_in_three_sentences_what_reports_say(self):
+        some = report("quality", {"warehouse": [row("vlc", time=1.2, product=0.5)], "gallery": [row("vlc", time=1.1, product=1.3)]})
+        self.assertEqual(summary.sentences([some]), [
+            "This page has 1 experiment of commit abc on none.",
+            "At equal time the trimmed error of light caches (vlc) is 0.5 (warehouse) to 1.3 (gallery) of that of light lists (sll); below 1 is better.",
+            "A frame with vlc takes 1.1 (gallery) to 1.2 (warehouse) of the time with sll."])
+        without = summary.sentences([report("ring", {"9 degrees": []})])
+        self.assertEqual(len(without), 3)
+        self.assertTrue(all("Nothing" in sentence for sentence in without[1:]))
+
+    def test_a_technique_has_one_color(self):
+        self.assertEqual(colors.color_of("vlc"), colors.color_of("vlc+cdq"))
+        self.assertNotEqual(colors.line_of("vlc"), colors.line_of("vlc+cdq"))
+        self.assertEqual(colors.color_of("cdq32"), colors.color_of("cdq128"))
+        self.assertEqual(colors.color_of("preset fast"), colors.color_of("preset paper"))
+        self.assertEqual(len(set(colors.COLORS.values())), len(colors.COLORS))
+        self.assertIn(colors.color_of("nomerge"), colors.OTHERS)
 
 
 class Defaults(unittest.TestCase):

@@ -76,7 +76,8 @@ TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
         EXPECT_EQ(a.rgba, picture(fmt::format("b_{:03}.png", i)).rgba) << i;
         EXPECT_EQ(a.rgba, picture(fmt::format("b_{:03}.png", i + 4)).rgba) << i;
     }
-    // What guiding learns depends on the order in which threads store samples: docs/playing.md.
+    // What guiding learns depends on the order in which threads store samples:
+    // docs/play/demos.md.
     const std::string guided =
         "+set flt_enable 0 +set vk_validation 2 +set pt_nee vlc +set pt_guide cdq +set timedemo 2 ";
     ASSERT_EQ(run(guided + "+demomap short c 5"), 0) << errors_;

@@ -433,7 +433,7 @@ TEST_F(DemoTest, DemosAreListedAndRecordedOnesComeFirst) {
     EXPECT_EQ(read_demo("data/baseq2/demos/both.dm2"), demo.bytes());
 }
 
-/// The demos that come with the levels, as docs/playing.md says: their routes, recorded.
+/// The demos that come with the levels, as docs/play/demos.md says: their routes, recorded.
 TEST(ShippedDemos, AreTheRoutesOfTheirLevels) {
     FileSystem files;
     files.mount_game(VIGIL_SOURCE_DIR, "baseq2");

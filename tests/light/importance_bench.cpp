@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What one light's importance costs, on the host and on the device, next to the alternatives that
 // were not taken; and how far each is from the exact form factor. Its tables are in
-// docs/light-sampling.md. Run by hand.
+// docs/internals/light-sampling.md. Run by hand.
 #include "form_factor_reference.h"
 #include "importance_gpu.h"
 

@@ -26,8 +26,8 @@ SHADER_CONST uint IMPORTANCE_POINTS = 4u;   // every light by three points
 SHADER_CONST uint IMPORTANCE_LOAD = 5u;     // sums the light's numbers: what reading lights costs
 SHADER_CONST uint IMPORTANCE_MODES = 6u;
 
-/// The alternatives that lost (docs/light-sampling.md), for comparison. None keeps all promises of
-/// the shipped one.
+/// The alternatives that lost (docs/internals/light-sampling.md), for comparison. None keeps all
+/// promises of the shipped one.
 SHADER_FN float alternative_importance(uint mode, LtcSurface surface, Light light) {
     vec3 v0 = light.v0 - surface.position;
     if (mode == IMPORTANCE_LOAD) return luminance(light.radiance + light.e1 + light.e2 + v0);

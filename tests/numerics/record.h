@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rows of the tables in docs/numerics.md: a test that has passed through an extreme says which,
-// what was demanded, and what was seen. GoogleTest writes them into its XML;
+// Rows of the tables in docs/internals/numerics.md: a test that has passed through an extreme says
+// which, what was demanded, and what was seen. GoogleTest writes them into its XML;
 // tools/numerics/numerics_page.py makes the page.
 #pragma once
 

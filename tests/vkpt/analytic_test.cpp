@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Scenes whose picture is known in closed form: a closed white furnace, a square lamp over a floor,
-// an even sky and a sun over a court. Radiances follow from the units of docs/units.md: VALUE * 0.1
+// an even sky and a sun over a court. Radiances follow from the units of docs/internals/units.md:
+// VALUE * 0.1
 // * mean texel for faces, _sun_light * 0.1 for the sun's irradiance.
 #include "render_test.h"
 

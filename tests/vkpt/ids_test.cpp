@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers of entities and lights that a front end does not keep stable, as docs/front-end.md says:
-// caches and motion forget, the picture keeps its mean, and nothing grows.
+// Numbers of entities and lights that a front end does not keep stable, as
+// docs/internals/front-end.md says: caches and motion forget, the picture keeps its mean, and
+// nothing grows.
 #include "formats/small_models.h"
 #include "render_test.h"
 

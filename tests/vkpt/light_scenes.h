@@ -30,7 +30,7 @@ struct LightScene {
     bool dark = false;
     /// Draws spread over many lights, so that an error in probabilities can be found among them.
     bool spread = true;
-    /// What a row of docs/numerics.md calls the scene; none: it is not one of those.
+    /// What a row of docs/internals/numerics.md calls the scene; none: it is not one of those.
     std::string extreme{};
 };
 

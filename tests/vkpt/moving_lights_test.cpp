@@ -2,7 +2,7 @@
 // Light that moves, in the renderer: ids in the light list stay while a door, a ball or a spot
 // moves; a spot shines within its cone alone; and 32 wandering lights leave `vlc` unbiased and
 // little worse than the same lights at rest. With VIGIL_MEASURE=1 the last is measured in the
-// warehouse as well (docs/results/moving_lights.md).
+// warehouse as well (docs/research/moving_lights.md).
 #include "client/play/level_entities.h"
 #include "client/play/test_lights.h"
 #include "render_test.h"
@@ -105,7 +105,7 @@ protected:
         return mean;
     }
 
-    /// Prints a row of docs/results/moving_lights.md for each speed.
+    /// Prints a row of docs/research/moving_lights.md for each speed.
     std::map<double, Errors> compare_speeds(const std::string& name, const Shot& view,
                                             client::TestLights& lights, int warmup, int seeds,
                                             int reference_pictures, int reference_paths) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A second opinion on Vigil's pictures: renders exported levels with Mitsuba 3 and compares (docs/crosscheck.md). This
+"""A second opinion on Vigil's pictures: renders exported levels with Mitsuba 3 and compares (docs/research/crosscheck.md). This
 file needs nothing but Python: it makes Mitsuba's virtual environment and hands over to compare.py inside it."""
 
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reads what `exportscene` wrote, by docs/export.md alone: surfaces in world space with their look, sun, sky and camera.
+"""Reads what `exportscene` wrote, by docs/internals/export.md alone: surfaces in world space with their look, sun, sky and camera.
 It knows nothing of Mitsuba, and of glTF only what that page names; pictures stay files."""
 
 import json

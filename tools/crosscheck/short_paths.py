@@ -278,7 +278,7 @@ class LambertianBrdf:
 
 
 class CoatedBrdf:
-    """docs/export.md, "Surfaces": a Lambertian base under GGX with Schlick's Fresnel and height-correlated masking."""
+    """docs/internals/export.md, "Surfaces": a Lambertian base under GGX with Schlick's Fresnel and height-correlated masking."""
 
     def __init__(self, albedo, view, f0, alpha):
         self.albedo, self.view, self.f0, self.alpha = albedo, view, f0, alpha

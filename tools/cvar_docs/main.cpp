@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prints docs/cvars.md, the page of all console variables, from the one table in
+// Prints docs/play/cvars.md, the page of all console variables, from the one table in
 // shaders/shared/settings_table.h. With --check FILE it compares instead, for the tests; it writes
 // no files.
 #include "console/cvar.h"
@@ -108,7 +108,7 @@ std::string page() {
         "\n"
         "Values from the command line are never kept. A cfg file inside a game archive cannot set\n"
         "**guarded** variables, and what it sets of the others is not kept "
-        "([files.md](files.md)).\n"
+        "([files.md](../internals/files.md)).\n"
         "Shaders read those marked *(GPU)*. *Affects* tells what a value changes: the **display** "
         "of\n"
         "finished radiance, the **picture**, or also what a kept **reference** picture is of.\n";
@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
     const std::string committed((std::istreambuf_iterator<char>(file)),
                                 std::istreambuf_iterator<char>());
     if (committed == page()) return 0;
-    fmt::print(stderr, "{} is not what the table says; run vigil_cvar_docs > docs/cvars.md\n",
+    fmt::print(stderr, "{} is not what the table says; run vigil_cvar_docs > docs/play/cvars.md\n",
                path);
     return 1;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Puts what tests recorded of extremes (tests/numerics/record.h) into the tables of docs/numerics.md.
+"""Puts what tests recorded of extremes (tests/numerics/record.h) into the tables of docs/internals/numerics.md.
 
 usage: numerics_page.py [--check] PAGE PROGRAM...
 

@@ -7,7 +7,7 @@ from matplotlib import pyplot
 
 import drawing
 
-LABELS = {"mse": "MSE", "trimmed_mse": "MSE without the largest 0.1% of the pixels"}
+LABELS = {"mse": "MSE", "trimmed_mse": "trimmed MSE"}
 # Techniques that learn nothing from frame to frame are drawn as one level.
 LEVEL_ROWS = ("sll", "lh", "ris", "uniform", "power")
 
@@ -18,7 +18,7 @@ def draw_row(axes, row, measure, color):
         axes.axhline(curve["settled"], color=color, label=row["label"])
         return
     frames = range(1, len(curve["frames"]) + 1)
-    drawing.curve(axes, frames, curve["frames"], color, label=row["label"])
+    drawing.curve(axes, frames, curve["frames"], color, linestyle=drawing.line_of(row["label"]), label=row["label"])
     axes.axhline(curve["settled"] * curve["settled_factor"], color=color, linestyle=":", linewidth=1)
     if curve["settled_frame"] <= len(curve["frames"]):
         axes.axvline(curve["settled_frame"], color=color, linestyle=":", linewidth=1)
@@ -28,9 +28,10 @@ def draw(report):
     for part in report["parts"]:
         figure, grid = pyplot.subplots(1, len(LABELS), figsize=(11, 4), layout="constrained")
         for axes, (measure, label) in zip(grid, LABELS.items()):
-            for number, row in enumerate(part["rows"]):
-                draw_row(axes, row, measure, f"C{number}")
+            for row in part["rows"]:
+                draw_row(axes, row, measure, drawing.color_of(row["label"]))
             axes.set_yscale("log")
+            drawing.plain_axis(axes.yaxis)
             axes.set_xlabel("frame from an empty cache")
             axes.set_ylabel(label)
             axes.legend()

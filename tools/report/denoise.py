@@ -6,7 +6,7 @@ oidn_SEED.exr ("oidn TECHNIQUE_SEED.exr") into the folders.
 
     python3 tools/report/judge.py out/picture.json [MORE.json ...]
 
-MSE and relative MSE are those of the bench (docs/quality.md); FLIP is that for high dynamic range, as on the page of reports.
+MSE and relative MSE are those of the bench (docs/research/quality.md); FLIP is that for high dynamic range, as on the page of reports.
 Lamps that are seen are part of what is denoised here, while the filter adds them exactly: plain MSE is mostly about them."""
 
 import sys

@@ -8,9 +8,24 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot
+from matplotlib import pyplot, ticker
 
 from tables import load
+from colors import color_of, line_of, marker_of  # what plots ask for
+
+PLAIN = ticker.FuncFormatter(lambda value, _: f"{value:,.10g}")
+
+
+def plain_axis(axis):
+    """A logarithmic axis with numbers as people write them."""
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(PLAIN)
+    axis.set_minor_formatter(ticker.NullFormatter())
+
+
+def name_line(axes, x, y, label, color):
+    """Writes a line's name behind its end, in its colour."""
+    axes.annotate(label, (x, y), xytext=(4, 0), textcoords="offset points", color=color, fontsize=8, va="center", annotation_clip=False)
 
 
 def typical(value):

@@ -14,6 +14,7 @@ import base64
 import html
 import io
 import json
+import re
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -27,6 +28,7 @@ import pictures
 import quality
 import ring
 import scale
+import summary
 import tables
 import timing
 import trade
@@ -43,13 +45,16 @@ SECTIONS = (
     ("picture", "Filtered pictures", SimpleNamespace(draw=lambda report: ())),
 )
 
-TABLES_TEXT = ("Ratios are over the baseline of their part: first that of the means, an estimate; then that of the typical run, with its 95% "
-               "interval where there is one.")
+TABLES_TEXT = ("Ratios are over the baseline of their part. The first is that of the means, an estimate; the second is that of the typical run, with "
+               "its 95% interval where there is one. Below 1 is better. Bold numbers are better than the baseline by more than chance.")
+
+FLIP_TEXT = "FLIP: 0 (black) is no difference, 1 (light yellow) the largest that a person sees."
 
 STYLE = """body{font:15px/1.45 sans-serif;margin:2em auto;max-width:75em;padding:0 1em;color:#222}
 table{border-collapse:collapse;margin:1em 0}th,td{padding:.25em .7em;text-align:left;border-bottom:1px solid #ccc}
 figure{display:inline-block;margin:.4em;vertical-align:top}figcaption{font-size:13px}img{max-width:100%}
-.views img{width:20em;image-rendering:pixelated}code{background:#eee}"""
+.views img{width:20em;image-rendering:pixelated}.scale img{width:20em;height:1em}code{background:#eee}
+dt{font-weight:bold}dd{margin:0 0 .4em 1.5em}"""
 
 def image_tag(pixels, title):
     """A picture of values in [0, 1] inside the page."""
@@ -72,9 +77,20 @@ def picture_tags(views):
     return "".join(parts)
 
 
+def flip_scale():
+    """The colours of maps of FLIP, from 0 to 1, with their ends named."""
+    colors = pyplot.get_cmap("magma")(numpy.tile(numpy.linspace(0.0, 1.0, 256), (12, 1)))[..., :3]
+    return f'<div class="scale">{image_tag(colors, FLIP_TEXT)}</div>'
+
+
 def table(head, lines):
+    """A table whose cells may have the marks of Markdown for bold."""
+
+    def shown(word):
+        return re.sub(r"\*\*(.*?)\*\*", r"<b>\1</b>", html.escape(word))
+
     def cells(words, tag):
-        return "".join(f"<{tag}>{html.escape(word.replace('**', ''))}</{tag}>" for word in words)
+        return "".join(f"<{tag}>{shown(word)}</{tag}>" for word in words)
 
     return f"<table><tr>{cells(head, 'th')}</tr>" + "".join(f"<tr>{cells(line, 'td')}</tr>" for line in lines) + "</table>"
 
@@ -94,12 +110,13 @@ def measured_on(report):
 
 
 def section(title, report, plots):
-    parts = [f"<h2>{title}</h2><p><code>run bench {report['measured']}</code>. {html.escape(measured_on(report))}</p>"]
+    name = report["measured"]
+    parts = [f'<h2 id="{name}">{title}</h2><p><code>run bench {name}</code>. {html.escape(measured_on(report))}</p>']
     parts += [figure_tag(name, figure) for name, figure in plots.draw(report)]
     parts += [table(head, lines) for head, lines in tables.KINDS[report["measured"]](report)]
     seen = pictures.of_report(report)
     if seen:
-        parts.append(table(*pictures.flip_table(seen)))
+        parts += [table(*pictures.flip_table(seen)), flip_scale()]
     parts += [f"<h3>{html.escape(name)}</h3>{picture_tags(views)}" for name, views in seen.items()]
     return "".join(parts)
 
@@ -117,20 +134,20 @@ def slim(value):
 def write_summary(found, target):
     """README.md, a picture per plot and a small JSON per experiment."""
     target.mkdir(parents=True, exist_ok=True)
-    lines = ["# What was measured", "", f"Written by `./run report --summary`. {TABLES_TEXT} "
-             "[quality.md](../../quality.md) explains them."]
+    lines = ["# The full report", "", " ".join(summary.sentences([report for _, _, _, report in found])), "",
+             f"Written by `./run report --summary`. {TABLES_TEXT} [quality.md](../../research/quality.md) explains them."]
     for name, title, plots, report in found:
         figures = list(plots.draw(report))
         lines += ["", f"## {title}", "", f"`./run bench {name}`: {measured_on(report)}", ""]
         lines += [f"![{figure_name}]({figure_name}.png)" for figure_name, _ in figures]
-        lines += ["", tables.markdown(report)]
+        lines += ["", "[trade.md](../../research/trade.md) has the tables." if name == "trade" else tables.markdown(report)]
         drawing.save(figures, target)
         seen = pictures.of_report(report)
         if seen:
             lines += ["", tables.markdown_table(*pictures.flip_table(seen))]
         for part, views in seen.items():
             lines += ["", f"{part}, {views[0].name}: the middle of the reference ({views[0].paths} paths) and of one frame of each row; below, where "
-                      f"a person would see the difference (FLIP).", "", f"![{part}](pictures_{part}.png)"]
+                      f"a person would see the difference. {FLIP_TEXT}", "", f"![{part}](pictures_{part}.png)"]
             pictures.save_sheet(views[0], target / f"pictures_{part}.png")
         (target / f"{name}.json").write_text(json.dumps(slim(report), separators=(",", ":")) + "\n")
     (target / "README.md").write_text("\n".join(lines) + "\n")
@@ -139,8 +156,13 @@ def write_summary(found, target):
 
 def write_page(found, target):
     body = "".join(section(title, report, plots) for _, title, plots, report in found)
-    text = (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Vigil: measurements</title><style>{STYLE}</style>'
-            f"<h1>Vigil: measurements</h1><p>{TABLES_TEXT}</p>{body}</html>\n")
+    said = " ".join(summary.sentences([report for _, _, _, report in found]))
+    contents = "".join(f'<li><a href="#{name}">{html.escape(title)}</a></li>' for name, title, _, _ in found)
+    words = "".join(f"<dt>{html.escape(word)}</dt><dd>{html.escape(meaning)}</dd>" for word, meaning in summary.GLOSSARY)
+    text = (f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+            f"<title>Vigil: measurements</title><style>{STYLE}</style>"
+            f"<h1>Vigil: measurements</h1><p><b>{html.escape(said)}</b></p><ul>{contents}<li><a href=\"#glossary\">Glossary</a></li></ul>"
+            f'<p>{TABLES_TEXT}</p>{body}<h2 id="glossary">Glossary</h2><dl>{words}</dl></html>\n')
     target.write_text(text)
     print(f"wrote {target} ({len(text) / 1e6:.1f} MB)")
 

@@ -20,23 +20,26 @@ def axis_of(part):
 
 def draw(report):
     axes_here = [name for name in AXES if any(axis_of(part) == name for part in report["parts"])]
-    figure, grid = pyplot.subplots(2, len(axes_here), figsize=(4 * len(axes_here), 6.5), squeeze=False, layout="constrained")
+    figure, grid = pyplot.subplots(2, len(axes_here), figsize=(4.8 * len(axes_here), 7.5), squeeze=False, layout="constrained")
     for column, name in enumerate(axes_here):
         title, value_of = AXES[name]
         parts = sorted((part for part in report["parts"] if axis_of(part) == name), key=value_of)
         places = [value_of(part) for part in parts]
-        for number, label in enumerate(row["label"] for row in parts[0]["rows"]):
+        for label in (row["label"] for row in parts[0]["rows"]):
             rows = [next(row for row in part["rows"] if row["label"] == label) for part in parts]
             for line, values in enumerate(([drawing.typical(row[measure]) for row in rows] for measure in ("frame_ms", "trimmed_mse"))):
                 grid[line][column].errorbar(places, drawing.numbers(values), yerr=drawing.spread(values), marker="o",
-                                            markersize=3, capsize=2, color=f"C{number}", label=label)
+                                            markersize=4, capsize=2, color=drawing.color_of(label), linestyle=drawing.line_of(label), label=label)
         for line in range(2):
             grid[line][column].set_xscale("log")
             grid[line][column].set_yscale("log")
+            grid[line][column].xaxis.set_major_formatter(drawing.PLAIN)
+            drawing.plain_axis(grid[line][column].yaxis)
+            grid[line][column].tick_params(labelsize=9)
             grid[line][column].set_xlabel(title)
     grid[0][0].set_ylabel("milliseconds of a frame")
-    grid[1][0].set_ylabel("MSE without the largest 0.1%")
-    grid[0][0].legend(fontsize=8)
+    grid[1][0].set_ylabel("trimmed MSE")
+    grid[0][0].legend(fontsize=10)
     yield "scale", figure
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Markdown tables of reports of `run bench`: what docs/results quotes. Ratios are over the baseline of their part: first that of
+"""Markdown tables of reports of `run bench`: what docs/research quotes. Ratios are over the baseline of their part: first that of
 the means, an estimate; then that of the typical run, with its 95% interval. Bold is a typical run below 1 that stands out
 among all comparisons of its table.
 
@@ -30,7 +30,7 @@ def load(path, measured):
 
 
 def forget_intervals(report):
-    """Takes the intervals out of an older report, which were about means and too narrow (docs/quality.md). Those of ratios of times
+    """Takes the intervals out of an older report, which were about means and too narrow (docs/research/quality.md). Those of ratios of times
     over at least four views stay: they were of order statistics."""
 
     def forget(value):
@@ -86,7 +86,7 @@ MEASURES = (
     ("Trimmed MSE at equal time",
      lambda row: (row["trimmed_mse"]["ratio_at_equal_time"], row["trimmed_mse"].get("typical_at_equal_time"))),
     ("Relative MSE at equal samples", lambda row: (row["relative_mse"]["ratio"], row["relative_mse"].get("typical"))),
-    ("Milliseconds of a frame", lambda row: (None, row["frame_ms"]["ratio"])),
+    ("Time of a frame", lambda row: (None, row["frame_ms"]["ratio"])),
 )
 
 
@@ -163,7 +163,7 @@ def ring(report):
 
 
 def timing(report):
-    yield by_technique("Path tracing", report["parts"], lambda row: (None, row["path_ms"]["ratio"]))
+    yield by_technique("Time of path tracing", report["parts"], lambda row: (None, row["path_ms"]["ratio"]))
     yield by_technique("Preparation over path tracing", report["parts"], 
                        lambda row: (None, row["prepare_ms"]["share_of_path"]))
     for part in report["parts"]:

@@ -12,7 +12,7 @@ def draw_preparation(axes, row):
     passes = row["pass_frames_ms"]
     frames = range(1, 1 + max((len(times) for times in passes.values()), default=0))
     axes.stackplot(frames, list(passes.values()), labels=list(passes))
-    axes.set_title(f"preparation, {row['label']}", fontsize=10)
+    axes.set_title(f"preparation for {row['label']}: milliseconds of a frame", fontsize=10)
     axes.set_ylabel("ms")
     axes.legend(fontsize=7, loc="lower right", framealpha=0.9)
 
@@ -20,10 +20,10 @@ def draw_preparation(axes, row):
 def draw_paths(axes, rows):
     for row in rows:
         times = row["path_ms"]["frames"]
-        axes.plot(range(1, len(times) + 1), times, label=row["label"])
+        axes.plot(range(1, len(times) + 1), times, color=drawing.color_of(row["label"]), linestyle=drawing.line_of(row["label"]), label=row["label"])
+        drawing.name_line(axes, len(times), times[-1], row["label"], drawing.color_of(row["label"]))
     axes.set_ylim(bottom=0)
-    axes.set_title("path tracing", fontsize=10)
-    axes.legend(fontsize=8)
+    axes.set_title("path tracing: milliseconds of a frame", fontsize=10)
 
 
 def draw(report):

@@ -62,8 +62,8 @@ def label(axes, named):
     named = sorted(named, key=lambda point: -point[2])
     to_axes = axes.transData + axes.transAxes.inverted()
     heights = [to_axes.transform((time, error))[1] for _, time, error in named]
-    for (name, time, error), height in zip(named, rows_for(heights, 0.031)):
-        axes.annotate(name, (time, error), xytext=(1.04, height), textcoords="axes fraction", fontsize=7, va="center",
+    for (name, time, error), height in zip(named, rows_for(heights, 0.036)):
+        axes.annotate(name, (time, error), xytext=(1.04, height), textcoords="axes fraction", fontsize=9, color=drawing.color_of(name) if "=" not in name else "0.15", va="center",
                       arrowprops={"arrowstyle": "-", "color": "0.75", "linewidth": 0.5, "shrinkA": 0, "shrinkB": 2,
                                   "relpos": (0, 0.5)})
 
@@ -72,14 +72,16 @@ def draw(report):
     for level, parts in parts_by_level(report).items():
         found = points(parts)
         if not found:
-            continue # no error tells anything: docs/quality.md, Rare paths
-        figure, axes = pyplot.subplots(figsize=(8.5, 5.5), layout="constrained")
+            continue # no error tells anything: docs/research/quality.md, Rare paths
+        figure, axes = pyplot.subplots(figsize=(10, 7.5), layout="constrained")
         kept = front(found)
         rest = [point for point in found if point not in kept]
         named = [point for point in rest if "=" not in point[0]]
-        for shown, color in ((rest, "0.6"), (named, "C1"), (kept, "C0")):
-            axes.scatter([time for _, time, _ in shown], [error for _, _, error in shown], s=13, color=color, zorder=3)
-        axes.step([time for _, time, _ in kept], [error for _, _, error in kept], where="post", color="C0", linewidth=1)
+        axes.scatter([time for _, time, _ in rest], [error for _, _, error in rest], s=13, color="0.6", zorder=3)
+        for name, time, error in named + [point for point in kept if "=" not in point[0]]:
+            axes.scatter(time, error, s=28, color=drawing.color_of(name), marker=drawing.marker_of(name), zorder=4)
+        axes.scatter([time for _, time, _ in kept], [error for _, _, error in kept], s=16, color="0.1", zorder=3)
+        axes.step([time for _, time, _ in kept], [error for _, _, error in kept], where="post", color="0.1", linewidth=1)
         axes.set_xscale("log")
         axes.set_yscale("log")
         for axis in (axes.xaxis, axes.yaxis):
@@ -87,8 +89,8 @@ def draw(report):
             axis.set_major_formatter("{x:g}")
             axis.set_minor_formatter(ticker.NullFormatter())
         axes.set_xlabel("frame time over that of vlc")
-        axes.set_ylabel("MSE without the largest 0.1%, likewise")
-        axes.set_title(f"{level}: what each value costs and buys (blue: the front; orange: techniques and presets)", fontsize=9)
+        axes.set_ylabel("trimmed MSE over that of vlc")
+        axes.set_title(f"{level}: what each value costs and buys (black: the front; colours: techniques and presets)", fontsize=10)
         label(axes, kept + named)
         yield f"trade_{level}", figure
 

@@ -32,7 +32,7 @@ fuzz_table() {
     all=$((all + findings))
     printf '%-12s %12s %10s %12s %9s\n' "$target" "$runs" "$after" "+$((after - before))" "$findings"
   done
-  if [ "$all" -gt 0 ]; then note "inputs that failed are in out/fuzz/; docs/files.md tells what to do with them"; fi
+  if [ "$all" -gt 0 ]; then note "inputs that failed are in out/fuzz/; docs/internals/files.md tells what to do with them"; fi
   [ "$all" = 0 ]
 }
 

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The packages that Vigil is built from, tested and measured with: their names on Debian, Ubuntu, Fedora and Arch, and their
-# installation. docs/systems.md tells which of these systems were tried.
+# installation. docs/play/systems.md tells which of these systems were tried.
 
 # Columns: what needs it; what is missing without it (empty: it is required); its names for apt (Debian, Ubuntu), dnf
 # (Fedora) and pacman (Arch). A name that other releases call otherwise is written A/B: the first one that exists is
@@ -25,6 +25,7 @@ tests   | no test opens a window, where there is no display | xvfb xauth        
 tests   | no test types into a window   | xdotool libx11-dev                         | xdotool libX11-devel              | xdotool libx11
 tests   | rays are not compared with Embree's | libembree-dev                        | embree-devel                      | embree
 tests   | formatting is not checked     | clang-format                               | clang-tools-extra                 | clang
+tests   | spelling is not checked       | codespell                                  | codespell                         | codespell
 tests   | clang-tidy looks for no faults | clang-tidy                               | clang-tools-extra                 | clang
 tests   | page, plots and faults are not tested | python3                            | python3                           | python
 game    |                               | python3                                    | python3                           | python

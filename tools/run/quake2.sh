@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Yamagi Quake II with Vigil as its renderer: finds the engine or fetches Debian's package, finds the game's data or makes the
-# little that our own levels need, and starts. docs/quake2.md has more.
+# little that our own levels need, and starts. docs/play/quake2.md has more.
 
 # The folder that holds an engine: quake2, and baseq2/game.so beside it. VIGIL_YQ2 says another.
 installed_engine() {

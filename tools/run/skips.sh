@@ -35,6 +35,7 @@ has() {
   embree) grep -q '^embree_DIR:PATH=/' build/CMakeCache.txt ;;
   gltf) grep -q '^VIGIL_tinygltf_INCLUDE:PATH=/' build/CMakeCache.txt ;;
   formatting) clang-format --version | grep -q 'version 14\.' ;;
+  spelling) command -v codespell >/dev/null ;;
   tidying) clang-tidy --version | grep -q 'version 14\.' ;;
   levels) [ -d ../shared/levels ] && [ -d ../shared/tools ] ;;
   pages) python3 -c 'import flip_evaluator, matplotlib, numpy, OpenEXR, PIL' 2>/dev/null ;;

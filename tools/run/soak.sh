@@ -23,6 +23,6 @@ soak() {
     $folder/vigil_soak +set vid_driver headless +set vid_width 160 +set vid_height 90 +set vk_validation 2 \
     +soak "$1" "${2:-1}" +quit || status=$?
   [ $status != 124 ] || note "soak: stuck in a frame, and ended ten minutes after its time"
-  [ $status = 0 ] || note "what was typed is in out/soak.cfg; docs/tests.md tells how to type it again"
+  [ $status = 0 ] || note "what was typed is in out/soak.cfg; docs/internals/tests.md tells how to type it again"
   return $status
 }

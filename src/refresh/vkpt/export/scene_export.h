@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A scene as glTF 2.0 for other path tracers: geometry, materials, emitted radiance with units,
-// sun, sky and camera (docs/export.md). Everything here is plain data in Vigil's conventions (z up,
-// linear colours), so that it is filled and tested without a GPU. It exports one moment: no
-// animation, no light styles beyond their value now.
+// sun, sky and camera (docs/internals/export.md). Everything here is plain data in Vigil's
+// conventions (z up, linear colours), so that it is filled and tested without a GPU. It exports one
+// moment: no animation, no light styles beyond their value now.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From a frame's noisy light to a calm picture: what frames before saw of the same surfaces, then
-// what neighbouring pixels see (shaders/filter; docs/filter.md). It owns what is kept per pixel for
-// that, and exists on the GPU only while it is on.
+// what neighbouring pixels see (shaders/filter; docs/internals/filter.md). It owns what is kept per
+// pixel for that, and exists on the GPU only while it is on.
 #pragma once
 
 #include "refresh/vkpt/gpu/growing_buffer.h"

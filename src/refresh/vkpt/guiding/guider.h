@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The host side of a guider: how large what it keeps per leaf of the octree is, and how that
 // begins. Its shader (shaders/guiding/NAME.glsl) draws directions and learns. Adding one: a shader
-// file, a file here, and a row in shaders/shared/guiders.h (docs/adding-a-guider.md).
+// file, a file here, and a row in shaders/shared/guiders.h (docs/research/adding-a-guider.md).
 #pragma once
 
 #include "refresh/settings.h"

@@ -33,7 +33,8 @@ constexpr int persist_for_half = 4;
 
 /// Factor on the thresholds of the octree, which are those of 1920 x 1080 pixels. In proportion to
 /// the pixels, a small picture would have as many leaves as a large one, each with too few samples
-/// to learn from; on `warehouse` at 320 x 180, twice as many a leaf are better (docs/results).
+/// to learn from; on `warehouse` at 320 x 180, twice as many a leaf are better
+/// (docs/research/caches.md).
 double threshold_factor(glm::uvec2 picture_size) {
     const double pixels = static_cast<double>(picture_size.x) * picture_size.y / (1920.0 * 1080.0);
     return std::max(pixels, std::pow(pixels, 0.8));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The estimator of one path per pixel, in three passes: camera rays, next event estimation where
-// they land, and indirect rays (docs/frame.md, "The path").
+// they land, and indirect rays (docs/internals/frame.md, "The path").
 #pragma once
 
 #include "refresh/vkpt/pathtrace/frame_buffers.h"

@@ -13,7 +13,7 @@
 
 namespace vigil::vkpt {
 
-/// Emitted radiance of a face is VALUE * this * its mean texel (docs/units.md); the sun's
+/// Emitted radiance of a face is VALUE * this * its mean texel (docs/internals/units.md); the sun's
 /// irradiance is _sun_light times this.
 inline constexpr float radiance_per_light_value = 0.1f;
 

@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""One source for every number: fills the numbers that pages quote from the reports that they come from.
+
+    python3 tools/docs/quoted_numbers.py            # writes them into README.md and docs/
+    python3 tools/docs/quoted_numbers.py --check    # writes nothing; exits with 1 and a line for each that is another
+
+A quoted number stands between two marks, which pages do not show:
+
+    <!--n KEY-->0.30<!--/n-->        or        <!--n KEY; FORMAT-->30%<!--/n-->
+
+KEY is one of these:
+
+- TABLE/ROW/COLUMN[/N]: of the table below a line <!--table TABLE--> in a page of docs/, the N-th number (1) of the cell; "all" is the
+  whole cell. ROW is the first cell of the row, COLUMN that of the head, both without `, * and links.
+- REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full, the row with this label in the part of this name; PATH has the names of
+  fields and indices, with dots between them. Of an interval it is the value.
+
+FORMAT: D digits ("2"); "D%" the same as a percentage with D decimals; "1/D" the reciprocal; "D+" the share above 1, as a percentage.
+Without FORMAT a table's number stays as it is there, a report's has three digits.
+
+Pages in STRICT quote all that was measured: a decimal or a percentage without marks is an error there."""
+
+import json
+import re
+import sys
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+MARK = re.compile(r"<!--n (?P<key>[^;>]+?)(?:; *(?P<format>[^>]*?))?-->(?P<text>.*?)<!--/n-->", re.S)
+TABLE = re.compile(r"^<!--table (?P<name>[^>]+?)-->\n(?P<lines>(?:\|.*\n)+)", re.M)
+NUMBER = re.compile(r"-?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?")
+MEASURED = re.compile(r"\d+\.\d+|\d+ ?%")
+CODE = re.compile(r"^(?: {4}|\t)[^\n]*$|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->", re.M | re.S)
+VERSION = re.compile(r"(?:Vulkan|Ubuntu|Debian|Mesa|lavapipe|GPL-?) ?\d[\d.]*")
+STRICT = ("README.md", "docs/research/results.md")
+
+
+def pages(root):
+    return [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
+
+
+def plain(cell):
+    """A cell's words without marks of Markdown and of numbers."""
+    cell = re.sub(r"<!--.*?-->", "", cell)
+    return re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", cell).replace("`", "").replace("*", "").strip()
+
+
+def cells(line):
+    return [plain(cell) for cell in re.split(r"(?<!\\)\|", line.strip())[1:-1]]
+
+
+def read_tables(texts):
+    """{table: {row: {column: cell}}}. Raises ValueError where a name is used twice."""
+    found = {}
+    for page, text in texts.items():
+        for match in TABLE.finditer(text):
+            head, _, *lines = match["lines"].splitlines()
+            columns = cells(head)
+            rows = {}
+            for line in lines:
+                row = cells(line)
+                if row[0] in rows:
+                    raise ValueError(f"{page.name}: table {match['name']} has two rows {row[0]}")
+                rows[row[0]] = dict(zip(columns, row))
+            if match["name"] in found:
+                raise ValueError(f"{page.name}: a second table {match['name']}")
+            found[match["name"]] = rows
+    return found
+
+
+@cache
+def report(root, name):
+    return json.loads((root / "docs/results/full" / f"{name}.json").read_text())
+
+
+def of_report(root, key):
+    name, rest = key.split(":", 1)
+    part, row, path = rest.split("/", 2)
+    value = next(found for found in report(root, name)["parts"] if found["part"] == part)
+    value = next(found for found in value["rows"] if found["label"] == row)
+    for field in path.split("."):
+        value = value[int(field)] if isinstance(value, list) else value[field]
+    return value["value"] if isinstance(value, dict) else value
+
+
+def of_table(tables, key):
+    """The text of a cell, or its N-th number."""
+    table, row, column, *place = re.split(r"(?<! )/(?! )", key)
+    cell = tables[table][row][column]
+    if place == ["all"]:
+        return cell
+    return NUMBER.findall(cell)[int(place[0]) - 1 if place else 0]
+
+
+def digits(value, count):
+    """`count` digits, as people write them: no exponents from 1e-4 to 1e6."""
+    text = f"{value:.{count}g}"
+    if "e" in text and 1e-4 <= abs(value) < 1e7:
+        text = f"{value:,.0f}" if abs(value) >= 1 else f"{value:f}"
+    return text
+
+
+def shown(value, form):
+    if isinstance(value, str):
+        if not form:
+            return value
+        value = float(value.replace(",", ""))
+    if not form:
+        return digits(value, 3)
+    if form.endswith("%"):
+        return f"{100 * value:.{int(form[:-1] or 0)}f}%"
+    if form.endswith("+"):
+        return f"{100 * (value - 1):.{int(form[:-1] or 0)}f}%"
+    if form.startswith("1/"):
+        return digits(1 / value, int(form[2:]))
+    return digits(value, int(form))
+
+
+def fill(root, texts):
+    """Pages with their numbers as the reports have them, and a line for each key that leads nowhere."""
+    faults = []
+    try:
+        tables = read_tables(texts)
+    except ValueError as fault:
+        return texts, [str(fault)]
+    filled = {}
+    for page, text in texts.items():
+        def number(match):
+            key, form = match["key"].strip(), match["format"]
+            try:
+                value = of_report(root, key) if ":" in key.split("/")[0] else of_table(tables, key)
+                return match[0][: match.start("text") - match.start()] + shown(value, form) + "<!--/n-->"
+            except (KeyError, IndexError, StopIteration, ValueError, TypeError, OSError) as fault:
+                faults.append(f"{page.relative_to(root)}: no number {key} ({type(fault).__name__} {fault})")
+                return match[0]
+
+        filled[page] = MARK.sub(number, text)
+    return filled, faults
+
+
+def unmarked(root, texts):
+    """Numbers of strict pages that no report stands behind."""
+    found = []
+    for name in STRICT:
+        text = texts.get(root / name, "")
+        bare = VERSION.sub("", CODE.sub("", MARK.sub("", text)))
+        found += [f"{name}: {number} has no source" for number in MEASURED.findall(bare)]
+    return found
+
+
+def misplaced(root, texts):
+    """Lines that begin with a mark: Markdown takes them for HTML, and ends the paragraph there."""
+    return [f"{page.relative_to(root)}:{number}: a mark begins the line" for page, text in texts.items()
+            for number, line in enumerate(text.splitlines(), 1) if line.lstrip().startswith("<!--n ")]
+
+
+def main(arguments):
+    check = "--check" in arguments
+    root = Path(next((argument for argument in arguments if not argument.startswith("--")), ROOT)).resolve()
+    texts = {page: page.read_text() for page in pages(root)}
+    filled, faults = fill(root, texts)
+    for page, text in filled.items():
+        if text == texts[page]:
+            continue
+        if not check:
+            page.write_text(text)
+            continue
+        for old, new in zip(MARK.finditer(texts[page]), MARK.finditer(text)):
+            if old["text"] != new["text"]:
+                faults.append(f"{page.relative_to(root)}: {old['key']} is {new['text']}, not {old['text']}")
+    faults += unmarked(root, filled) + misplaced(root, filled)
+    count = sum(len(MARK.findall(text)) for text in filled.values())
+    print("\n".join(faults) if faults else f"{count} numbers are those of their reports")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
