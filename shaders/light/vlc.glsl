@@ -163,7 +163,7 @@ float candidate_weight(Candidates candidates, uint light) {
     if (!(importance > 0.0)) return 0.0;
     if (!candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
     // Of draws with the importance I of lights that are seen with the probability p, those in proportion to I sqrt(p) have the least noise.
-    if (frame.settings.pt_vlc_stats == 0) return importance;
+    if (frame.settings.pt_vlc_stats == 0 || !candidates.from_cache) return importance;
     return importance * sqrt(unshadowed_share(slot_of_light(candidates.place, light)));
 }
 
