@@ -6,6 +6,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "console/arguments.h"
+#include "console/preset.h"
 
 #include <climits>
 #include <fmt/ranges.h>
@@ -54,6 +55,7 @@ std::string next_value(const CvarInfo& info, const CvarRegistry& variables,
             if (equal_nocase(values[i], now)) return values[(i + 1) % values.size()];
         return values[0];
     }
+    if (info.name == "pt_preset") return std::string(next_preset(variables, 1)); // never custom
     switch (info.type) {
     case CvarType::String:
         fail("{} is text: name the values to go through", info.name);

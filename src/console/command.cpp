@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/printable.h"
+#include "console/preset.h"
 
 #include <algorithm>
 #include <exception>
@@ -269,6 +270,10 @@ void CommandRegistry::set_variable(std::string_view name, std::string_view text)
         variables_.set(name, text);
     else
         variables_.set_for_this_run(name, text);
+    if (name == "pt_preset" && equal_nocase(text, custom_preset) &&
+        present_preset(variables_) != nullptr)
+        log_info("pt_preset stays \"{}\": it becomes custom when a setting is changed",
+                 variables_.get_text(name));
     if (find_cvar(name)->life == CvarLife::Start)
         log_info("{} is read when the program starts: put +set {} {} on the command line", name,
                  name, quote_word(text));

@@ -90,6 +90,25 @@ TEST_F(ProgramTest, CommandsRunInTheOrderGiven) {
     EXPECT_LT(output_.find("spp 3"), output_.find("now 1"));
 }
 
+TEST_F(ProgramTest, ThePresetIsAVariableLikeOthers) {
+    EXPECT_EQ(run("+set pt_preset fast +map tiny +echo a $pt_guide $pt_light_points "
+                  "+pt_preset accurate +echo b $pt_spp $pt_preset +pt_spp 3 +echo c $pt_preset "
+                  "+toggle pt_preset +echo d $pt_preset +toggle pt_preset paper fast "
+                  "+pt_preset custom +echo e $pt_preset +reset pt_preset +echo f $pt_spp +presets"),
+              0);
+    for (const std::string_view text :
+         {"a brdf 4\n", "b 4 accurate\n", "c custom\n", "d paper\n", "e fast\n", "f 1\n",
+          "stays \"fast\"", "* balanced", "  accurate"})
+        EXPECT_NE(output_.find(text), std::string::npos) << text;
+    // Of two +set the last one wins, whatever it is about.
+    EXPECT_EQ(run("+set pt_preset accurate +set pt_spp 2 +echo g $pt_preset $pt_light_points"), 0);
+    EXPECT_NE(output_.find("g custom 16\n"), std::string::npos);
+    EXPECT_EQ(run("+set pt_spp 2 +set pt_preset accurate +echo h $pt_preset $pt_spp"), 0);
+    EXPECT_NE(output_.find("h accurate 4\n"), std::string::npos);
+    EXPECT_EQ(run("+pt_preset theirs"), 1);
+    EXPECT_NE(errors_.find("pt_preset: \"theirs\" is none of paper|fast"), std::string::npos);
+}
+
 TEST_F(ProgramTest, TheGamesAutoexecRunsBeforeTheCommandLine) {
     game_.write("data/baseq2/autoexec.cfg", "set pt_spp 7\nset pt_bounces 0\nno_such_thing\n");
     EXPECT_EQ(run("+set pt_bounces 1 +echo $pt_spp $pt_bounces"), 0); // its faults are not ours
@@ -358,7 +377,8 @@ TEST_F(ProgramTest, WalksThroughTheViews) {
     const int count = choice_count(view_choices);
     std::string walk = "+map tiny +view zero +viewnext +echo at $pt_view +viewprev +viewprev";
     EXPECT_EQ(run(walk + " +echo at $pt_view +view none +viewprev +echo at $pt_view"), 0);
-    EXPECT_NE(output_.find("view zero: light samples that contributed nothing"), std::string::npos);
+    EXPECT_NE(output_.find("view zero: Light samples that contributed nothing."),
+              std::string::npos);
     EXPECT_NE(output_.find("at nonfinite\n"), std::string::npos);
     EXPECT_NE(output_.find("at technique\n"), std::string::npos);
     EXPECT_NE(output_.find("at light\n"), std::string::npos); // the last: round and round
