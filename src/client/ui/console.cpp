@@ -72,6 +72,14 @@ void Console::clear_lines() {
     follows_ = true;
 }
 
+std::string Console::text() {
+    update(time_s_);
+    std::string text;
+    for (const Line& line : lines_)
+        text += line.text + "\n";
+    return text;
+}
+
 void Console::key(Key key, bool ctrl, bool shift) {
     shift_ = shift;
     switch (key) {
