@@ -32,21 +32,14 @@ void sleep_for(double seconds) {
 Client::Client(const ClientParts& parts)
     : commands_(parts.commands), console_(parts.console), overlay_(parts.overlay),
       window_(parts.window), variables_(parts.commands.variables()),
-      session_(parts.files, parts.renderer, variables_),
+      make_video_(parts.restart_video), session_(parts.files, parts.renderer, variables_),
       menu_({commands_, parts.bindings, [this] { return list_levels(session_.files()); },
              [this] { return list_demos(*this); }, [this] { return picture_size(); }}),
       input_(commands_, parts.bindings, console_, menu_, session_.camera()),
       fullscreen_(variables_->vid_fullscreen != 0) {
     buttons_.add_commands(commands_);
-    add_level_commands(*this);
-    add_view_commands(*this);
-    add_picture_commands(*this);
-    add_play_commands(*this);
-    add_guiding_commands(*this);
-    add_preset_commands(*this);
-    add_demo_commands(*this);
-    add_compare_commands(*this);
-    add_window_commands(*this);
+    for (const CommandGroup& group : command_groups())
+        add_commands(*this, group.commands);
     session_.renderer().watch_compilation(this);
 }
 
@@ -61,6 +54,34 @@ Client::~Client() {
 void Client::quit() {
     quitting_ = true;
     commands_.clear();
+}
+
+void Client::restart_video() {
+    if (!make_video_) fail("window and renderer cannot be made anew here");
+    restart_wanted_ = true;
+    // What follows is about the new ones.
+    commands_.pause_script_until([this] { return !restart_wanted_; });
+}
+
+void Client::make_video_anew() {
+    end_flight();
+    end_demo();
+    keep_recording();
+    // Keys that come up now are reported to nobody.
+    input_.handle(platform::FocusEvent{false}, false);
+    input_.handle(platform::FocusEvent{true}, false);
+    waiting_events_.clear();
+    session_.renderer().watch_compilation(nullptr);
+    window_ = nullptr;
+    const Video video = make_video_();
+    window_ = video.window;
+    captured_ = false;
+    fullscreen_ = variables_->vid_fullscreen != 0;
+    session_.use_renderer(video.renderer);
+    session_.renderer().watch_compilation(this);
+    last_frame_s_ = clock_.seconds();
+    restart_wanted_ = false;
+    log_info("window and renderer are new: {}", session_.renderer().device_name());
 }
 
 Session& Client::session_in_level() {
@@ -95,6 +116,7 @@ void Client::frame() {
     double seconds = std::exchange(last_frame_s_, start_s);
     seconds = headless() ? headless_frame_s : start_s - seconds;
 
+    if (restart_wanted_) make_video_anew();
     if (!headless()) {
         handle_events();
         if (quitting_) return;
@@ -392,7 +414,7 @@ void Client::limit_rate(double frame_start_s) const {
     sleep_for(1.0 / variables_->cl_maxfps - (clock_.seconds() - frame_start_s));
 }
 
-void add_commands(Client& client, std::initializer_list<ClientCommand> rows) {
+void add_commands(Client& client, const ClientCommands& rows) {
     for (const ClientCommand& row : rows) {
         CommandCompletion complete;
         if (row.names)
@@ -404,6 +426,17 @@ void add_commands(Client& client, std::initializer_list<ClientCommand> rows) {
             [&client, run = row.run](CommandArguments words) { run(client, words); },
             std::move(complete));
     }
+}
+
+std::vector<CommandGroup> command_groups() {
+    return {{"Levels and the program", level_commands()},
+            {"Play", play_commands()},
+            {"View and console", view_commands()},
+            {"Window and menu", window_commands()},
+            {"Pictures and flights", picture_commands()},
+            {"Demos", demo_commands()},
+            {"Techniques", compare_commands()},
+            {"What the renderer has learned", guiding_commands()}};
 }
 
 } // namespace vigil::client

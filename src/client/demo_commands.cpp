@@ -130,20 +130,19 @@ std::vector<std::string> list_demos(const Client& client) {
     return names;
 }
 
-void add_demo_commands(Client& client) {
-    add_commands(
-        client,
-        {{"demomap",
-          "NAME.dm2 [PREFIX EVERY]: plays a demo; with `timedemo 1` every frame once, as fast as "
-          "it can, every EVERY-th as PREFIX_000.png ...",
-          demomap, list_demos},
-         {"demos", ": lists the demos that can be played",
-          [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},
-         {"record",
-          "NAME [ROUTE]: records what is flown until `stop`, or routes/ROUTE.route at once, as "
-          "outdir/demos/NAME.dm2",
-          record},
-         {"stop", ": ends the recording, or the demo that plays", stop}});
+ClientCommands demo_commands() {
+    return {
+        {"demomap",
+         "NAME.dm2 [PREFIX EVERY]: Plays a demo. After `timedemo 1` it measures every frame. Then "
+         "each EVERY-th frame is kept as PREFIX_000.png and so on.",
+         demomap, list_demos},
+        {"demos", ": Lists the demos that can be played.",
+         [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},
+        {"record",
+         "NAME [ROUTE]: Records outdir/demos/NAME.dm2 until `stop`. With ROUTE it records "
+         "routes/ROUTE.route at once.",
+         record},
+        {"stop", ": Ends the recording, or the demo that plays.", stop}};
 }
 
 } // namespace vigil::client

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Console commands about playing a level: noclip, playerinfo, walk, walkrecord, walkstop.
+// Console commands about playing a level: noclip, kill, playerinfo, walk, walkrecord, walkstop.
 #include "client/client.h"
 #include "common/error.h"
 #include "common/log.h"
@@ -35,6 +35,15 @@ void noclip(Client& client, CommandArguments) {
         log_info("{}",
                  roomy ? "walking" : "there is no room for a player here: back to where it stood");
     }
+}
+
+void kill(Client& client, CommandArguments) {
+    check_playable(client);
+    Play* play = client.play();
+    if (play == nullptr || !play->walking()) fail("nobody walks; `noclip` begins to");
+    if (play->following()) fail("a scripted walk is under way; `walkstop` ends it");
+    if (play->recording()) fail("a walk is being recorded; `walkstop` ends it");
+    play->kill(client.session());
 }
 
 void player_info(Client& client, CommandArguments) {
@@ -82,21 +91,23 @@ void walk_stop(Client& client, CommandArguments) {
 
 } // namespace
 
-void add_play_commands(Client& client) {
-    add_commands(
-        client,
-        {{"noclip",
-          ": from walking to flying through walls and back; without a window, the level comes to "
-          "life with it",
-          noclip},
-         {"playerinfo", ": place and speed of the player", player_info},
-         {"walk",
-          "NAME: starts the level anew and follows outdir/walks/NAME.walk, or that of the game",
-          walk},
-         {"walkrecord",
-          "NAME: starts the level anew and records keys and view of every tick until `walkstop`",
-          walk_record},
-         {"walkstop", ": ends the walk that is recorded or followed", walk_stop}});
+ClientCommands play_commands() {
+    return {
+        {"noclip",
+         ": Switches between walking and flying through walls. Without a window, play begins with "
+         "it.",
+         noclip},
+        {"kill", ": Ends the player's life. The player starts anew, and the level goes on.", kill},
+        {"playerinfo", ": Prints place and speed of the player.", player_info},
+        {"walk",
+         "NAME: Starts the level anew and follows a recorded walk. It is outdir/walks/NAME.walk, "
+         "or "
+         "one of the game.",
+         walk},
+        {"walkrecord",
+         "NAME: Starts the level anew and records keys and view of every tick. `walkstop` ends it.",
+         walk_record},
+        {"walkstop", ": Ends the walk that is recorded or followed.", walk_stop}};
 }
 
 } // namespace vigil::client

@@ -254,9 +254,35 @@ void CommandRegistry::dispatch(const std::vector<std::string>& words) {
             log_info("{}", describe_cvar(*info, variables_.values()));
         else
             set_variable(name, arguments[0]);
+    } else if (const ForeignName* foreign = find_foreign_name(name)) {
+        run_foreign(*foreign, arguments);
     } else {
         fail("unknown command; cmdlist and cvarlist show what there is");
     }
+}
+
+void CommandRegistry::run_foreign(const ForeignName& foreign, CommandArguments arguments) {
+    if (!foreign.target.empty() && find_cvar(foreign.target) == nullptr) {
+        std::vector<std::string> words{std::string(foreign.target)};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return dispatch(words);
+    }
+    if (arguments.size() > 1) fail("takes one value");
+    if (arguments.size() == 1) return set_foreign(foreign, arguments[0]);
+    log_info("{}", describe_foreign_name(foreign));
+    if (const CvarInfo* info = find_cvar(foreign.target))
+        log_info("{}", describe_cvar(*info, variables_.values()));
+}
+
+void CommandRegistry::set_foreign(const ForeignName& foreign, std::string_view text) {
+    if (find_cvar(foreign.target) == nullptr) {
+        log_warning("{}", describe_foreign_name(foreign));
+        return;
+    }
+    const std::string value = converted_value(foreign, text);
+    set_variable(foreign.target, value);
+    log_info("{} {} is {} {} here", foreign.name, text, foreign.target,
+             variables_.get_text(foreign.target));
 }
 
 void CommandRegistry::check_may_set(const CvarInfo& info) const {
@@ -274,7 +300,10 @@ void CommandRegistry::set_variable(std::string_view name, std::string_view text)
         present_preset(variables_) != nullptr)
         log_info("pt_preset stays \"{}\": it becomes custom when a setting is changed",
                  variables_.get_text(name));
-    if (find_cvar(name)->life == CvarLife::Start)
+    if (find_cvar(name)->life != CvarLife::Start) return;
+    if (name.starts_with("vid_") || name.starts_with("vk_"))
+        log_info("{} takes effect with vid_restart", name);
+    else
         log_info("{} is read when the program starts: put +set {} {} on the command line", name,
                  name, quote_word(text));
 }

@@ -4,6 +4,7 @@
 
 #include "common/ascii_case.h"
 #include "common/error.h"
+#include "console/foreign_names.h"
 
 #include <fmt/ranges.h>
 #include <string_view>
@@ -56,7 +57,14 @@ CommandLine parse_command_line(std::span<const char* const> words) {
         if (set && command.size() != 3)
             fail("command line: +{} needs a name and a value", fmt::join(command, " "));
         only_sets_so_far = only_sets_so_far && set;
-        if (set && (only_sets_so_far || is_start_variable(command[1])))
+        const ForeignName* foreign = set ? find_foreign_name(ascii_lower(command[1])) : nullptr;
+        if (foreign != nullptr && find_cvar(foreign->target) != nullptr) {
+            command[2] = converted_value(*foreign, command[2]);
+            command[1] = foreign->target;
+        }
+        // What has no counterpart is said once, when commands run.
+        const bool is_known = foreign == nullptr || !foreign->target.empty();
+        if (set && is_known && (only_sets_so_far || is_start_variable(command[1])))
             line.early_sets.emplace_back(command[1], command[2]);
         else
             line.commands.push_back(std::move(command));

@@ -77,6 +77,36 @@ TEST_F(MenuTest, EveryItemIsOfAVariableOrCommandThatExists) {
     }
 }
 
+TEST(Commands, HelpIsPlainEnglish) {
+    CvarRegistry variables;
+    CommandRegistry all(variables);
+    add_builtin_commands(all, {});
+    KeyBindings bindings;
+    add_binding_commands(all, bindings);
+    HeldButtons buttons;
+    buttons.add_commands(all);
+    for (const CommandGroup& group : command_groups())
+        for (const ClientCommand& command : group.commands)
+            all.add(command.name, command.help, [](CommandArguments) {});
+    for (const auto& [name, command] : all.commands()) {
+        const size_t colon = command.help.find(": ");
+        ASSERT_NE(colon, std::string::npos) << name;
+        EXPECT_EQ(test::sentence_fault(std::string_view(command.help).substr(colon + 2)), "")
+            << name << " " << command.help;
+    }
+    // What keys and the menu run is there.
+    const KeyBindings untouched;
+    for (int i = 0; i < platform::key_count; ++i) {
+        const std::string& line = untouched.command(static_cast<Key>(i));
+        if (!line.empty()) {
+            EXPECT_TRUE(all.commands().contains(line.substr(0, line.find(' ')))) << line;
+        }
+    }
+    for (const MenuRow& row : key_rows(untouched))
+        EXPECT_TRUE(all.commands().contains(row.command.substr(0, row.command.find(' '))))
+            << row.command;
+}
+
 TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
     choose("Light sampling");
     EXPECT_EQ(chosen().value, "light cache (vlc)");

@@ -262,12 +262,12 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     ASSERT_TRUE(answered("pt_nee \"power\""));
     press("g");
     ASSERT_TRUE(answered("pt_guide \"brdf\""));
-    press("F10");
+    press("x");
     ASSERT_TRUE(answered("power | sll"));
     press("bracketleft bracketleft");
     type("pt_compare_at");
     ASSERT_TRUE(answered("\"0.4\""));
-    press("F10 Tab");
+    press("x Tab");
     ASSERT_TRUE(answered("scr_stats \"groups\""));
 
     // The window changes its size, fills the screen, and comes back.
@@ -283,6 +283,20 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     press("F12");
     ASSERT_TRUE(answered("wrote "));
     EXPECT_TRUE(std::filesystem::exists(path("out") + "/vigil0000.png"));
+
+    // Another window and renderer; the level and its player stay.
+    press("F2");
+    ASSERT_TRUE(answered("setviewpos"));
+    const std::string before = answer_;
+    type("vid_restart");
+    ASSERT_TRUE(answered("window and renderer are new"));
+    ASSERT_TRUE(asked("F2", "setviewpos"));
+    EXPECT_EQ(answer_, before);
+    ASSERT_TRUE(asked("F6", "the picture has "));
+
+    // Whoever presses F10 is asked.
+    press("F10 n");
+    ASSERT_TRUE(asked("F7", "listening"));
 
     // Closed by its button.
     screen_->close();

@@ -19,7 +19,7 @@ inline std::string sentence_fault(std::string_view text) {
     if (text.empty()) return "there is no text";
     if (!text.ends_with('.')) return "the last sentence does not end";
     if (std::islower(static_cast<unsigned char>(text.front())) != 0 &&
-        text.find(':') > text.find(' '))
+        text.find(':') > text.find(' ') && text.find('_') > text.find(' '))
         return "it begins with a small letter";
     if (text.find(';') != std::string_view::npos) return "a semicolon: two sentences";
     while (!text.empty()) {

@@ -133,6 +133,13 @@ void LevelEntities::add_misc_model(const Entity& source, int number,
     entity.frame = entity.old_frame = std::max(0, source.get_int("frame"));
 }
 
+void LevelEntities::register_again(const RegisterModel& register_model) {
+    for (size_t i = 0; i < entities_.size(); ++i) {
+        handles_[i] = register_model(models_[i]);
+        if (entities_[i].model >= 0) entities_[i].model = handles_[i];
+    }
+}
+
 bool LevelEntities::place(int number, const glm::vec3& origin, const glm::vec3& angles,
                           bool shown) {
     const auto found = std::ranges::lower_bound(entities_, number, {}, &refresh::Entity::number);

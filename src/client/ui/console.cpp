@@ -222,6 +222,8 @@ Suggestion Console::describe(std::string word, bool first_word) const {
         } else if (const CvarInfo* info = find_cvar(ascii_lower(word))) {
             about = fmt::format("= {}  {} ({})", commands_.variables().get_text(info->name),
                                 info->help, cvar_range_text(*info));
+        } else if (const ForeignName* foreign = find_foreign_name(ascii_lower(word))) {
+            about = describe_foreign_name(*foreign);
         }
     }
     return {std::move(word), std::move(about)};
