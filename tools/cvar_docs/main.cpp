@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Prints docs/cvars.md, the page of all console variables, from the one table in
-// shaders/shared/settings_table.h. With --check FILE it compares instead, for the tests; it writes
-// no files.
+// shaders/shared/settings_table.h, or docs/commands.md, from the program's tables of commands. With
+// --check it compares instead, for the tests; it writes no files.
+#include "command_page.h"
 #include "console/cvar.h"
 #include "console/preset.h"
 
@@ -19,15 +20,7 @@ namespace {
 
 using namespace vigil;
 
-/// Text for a cell of a Markdown table, where a bar would end the cell.
-std::string cell(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '|') escaped += '\\';
-        escaped += c;
-    }
-    return escaped;
-}
+using docs::cell;
 
 std::string code_cell(std::string_view text) {
     return text.empty() ? std::string("*(empty)*") : '`' + cell(text) + '`';
@@ -92,7 +85,7 @@ template <typename Rows> std::string choices_text(std::string_view variable, con
     return text;
 }
 
-std::string page() {
+std::string variable_page() {
     std::string text = R"(# Console variables
 
 `vigil_cvar_docs` generates this page from `shaders/shared/settings_table.h`. Edit that table, not this page.
@@ -144,20 +137,28 @@ Names of Quake II RTX work as well: [commands.md](commands.md) lists them.
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Prints the page of all console variables.", "vigil_cvar_docs");
-    std::string path;
-    app.add_option("--check", path, "compare this file with the page instead")
+    CLI::App app("Prints the page of all console variables, or that of all commands.",
+                 "vigil_cvar_docs");
+    bool commands = false;
+    std::vector<std::string> files;
+    app.add_flag("--commands", commands, "print the page of commands");
+    app.add_option("--check", files, "compare these files, cvars.md or commands.md, instead")
         ->check(CLI::ExistingFile);
     CLI11_PARSE(app, argc, argv)
-    if (path.empty()) {
-        fmt::print("{}", page());
+    if (files.empty()) {
+        fmt::print("{}", commands ? docs::command_page() : variable_page());
         return 0;
     }
-    std::ifstream file(path, std::ios::binary);
-    const std::string committed((std::istreambuf_iterator<char>(file)),
-                                std::istreambuf_iterator<char>());
-    if (committed == page()) return 0;
-    fmt::print(stderr, "{} is not what the table says; run vigil_cvar_docs > docs/cvars.md\n",
-               path);
-    return 1;
+    int status = 0;
+    for (const std::string& path : files) {
+        const bool is_commands = path.ends_with("commands.md");
+        std::ifstream file(path, std::ios::binary);
+        const std::string committed((std::istreambuf_iterator<char>(file)),
+                                    std::istreambuf_iterator<char>());
+        if (committed == (is_commands ? docs::command_page() : variable_page())) continue;
+        fmt::print(stderr, "{} is not what the tables say; run vigil_cvar_docs{} > {}\n", path,
+                   is_commands ? " --commands" : "", path);
+        status = 1;
+    }
+    return status;
 }
