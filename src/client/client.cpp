@@ -85,7 +85,7 @@ void Client::make_video_anew() {
 }
 
 Session& Client::session_in_level() {
-    if (session_.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
+    if (session_.level() == nullptr) fail("no level is loaded. `map NAME` loads one.");
     return session_;
 }
 
@@ -97,8 +97,8 @@ glm::ivec2 Client::picture_size() const {
 void Client::run() {
     if (!headless() && session_.level() == nullptr && commands_.idle()) {
         menu_.open();
-        log_info("The menu (ESCAPE) has levels; in the console (key `), `maps` lists them, `map "
-                 "NAME` loads one, Tab completes, `help` tells more.");
+        log_info("The menu (ESCAPE) has levels. The key ` opens the console. There `maps` lists "
+                 "levels, `map NAME` loads one, and `help` tells more.");
     }
     last_frame_s_ = clock_.seconds();
     while (!quitting_) {
@@ -293,7 +293,7 @@ void Client::end_play() {
 void Client::write_walk() {
     const std::optional<Walk> walk = play_->take_recording();
     if (!walk || walk->ticks() == 0)
-        fail("{}: nothing was recorded: no time has passed", play_->recorded_path());
+        fail("{}: not written, because no time has passed", play_->recorded_path());
     const std::filesystem::path file = output_path(play_->recorded_path());
     write_file(file, walk->text());
     log_info("wrote {} ({} ticks)", file.string(), walk->ticks());
@@ -385,16 +385,16 @@ void Client::keep_recording() {
 }
 
 void Client::write_recording(const std::string& path, DemoRecorder& recorder) {
-    if (recorder.frames() == 0) fail("{}: nothing was recorded: no time has passed", path);
+    if (recorder.frames() == 0) fail("{}: not written, because no time has passed", path);
     const std::filesystem::path file = output_path(path);
     const std::vector<uint8_t> bytes = recorder.finish();
     write_file(file, std::as_bytes(std::span(bytes)));
     if (recorder.left_out() > 0)
-        log_warning("{} models of {} had no room in the demo", recorder.left_out(),
+        log_warning("{} models of {} have no room in the demo", recorder.left_out(),
                     recorder.level().name);
     if (recorder.largest_block() > dm2::portable_block_bytes)
-        log_warning("{}: some engines do not read blocks of {} bytes, only up to {}", file.string(),
-                    recorder.largest_block(), dm2::portable_block_bytes);
+        log_warning("{}: some engines refuse blocks of {} bytes. They read up to {}.",
+                    file.string(), recorder.largest_block(), dm2::portable_block_bytes);
     log_info("wrote {} ({} frames, {} bytes)", file.string(), recorder.frames(), bytes.size());
 }
 

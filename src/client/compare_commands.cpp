@@ -24,7 +24,7 @@ void compare(Client& client, CommandArguments arguments, std::string& last) {
                                         : before == "none" ? last
                                                            : "none");
     if (client.variables()->pt_compare != 0)
-        log_info("{}: [ and ] or the right mouse button move the line",
+        log_info("{}. The keys [ and ] and the right mouse button move the line.",
                  technique_text(client.variables()));
 }
 

@@ -70,7 +70,7 @@ void game_map(Client& client, CommandArguments arguments) {
     const size_t place = name.find('$');
     client.load_map(name.substr(0, place));
     if (place != std::string_view::npos)
-        log_info("the level begins at its own start, not at {}", name.substr(place + 1));
+        log_info("The level begins at its own start, not at {}.", name.substr(place + 1));
 }
 
 } // namespace

@@ -30,7 +30,7 @@ std::filesystem::path numbered_path() {
         std::filesystem::path path = output_path(fmt::format("vigil{:04}.png", i));
         if (!std::filesystem::exists(path)) return path;
     }
-    fail("all names vigil0000.png to vigil{}.png are taken; give a name", most_numbered - 1);
+    fail("all names vigil0000.png to vigil{}.png are taken. Give another name.", most_numbered - 1);
 }
 
 Session& current_picture(Client& client) {

@@ -226,8 +226,8 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
     words.push_back({"wait"});
     commands.execute_words(words);
     if (client.headless() && line.commands.empty()) {
-        log_info("there is no window and nothing to do; give commands, for example "
-                 "+map warehouse +wait 4 +screenshot");
+        log_info("There is no window, and there is nothing to do. Give commands, for example +map "
+                 "warehouse +wait 4 +screenshot");
     }
     {
         std::optional<KeptConfiguration> kept;

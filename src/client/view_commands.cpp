@@ -41,7 +41,8 @@ void fly_speed(Client& client, CommandArguments arguments) {
         const float speed = number_at(arguments, 0, "the speed");
         camera.set_speed(speed);
         if (camera.speed() != speed)
-            log_warning("the flying speed is {:.0f} to {:.0f}", Camera::slowest, Camera::fastest);
+            log_warning("the flying speed must be from {:.0f} to {:.0f}", Camera::slowest,
+                        Camera::fastest);
     }
     log_info("flying at {:.0f} units per second", camera.speed());
 }
@@ -63,7 +64,7 @@ void dump_console(Client& client, CommandArguments arguments) {
 platform::Key key_argument(const std::string& name) {
     const std::optional<platform::Key> key = platform::key_from_name(name);
     if (!key)
-        fail("there is no key \"{}\"; keys are named like w, F5, UPARROW, MOUSE2, PAD_A", name);
+        fail("there is no key \"{}\". Keys have names like w, F5, UPARROW, MOUSE2, PAD_A.", name);
     return *key;
 }
 

@@ -34,7 +34,7 @@ void resolution(Client& client, CommandArguments arguments) {
     commands.set_variable("vid_width", std::to_string(size.x));
     commands.set_variable("vid_height", std::to_string(size.y));
     if (!client.headless() && client.variables()->vid_fullscreen != 0)
-        log_info("in full screen the picture has the screen's size; this is the window's");
+        log_info("The window has this size. In full screen the picture has the screen's size.");
     client.set_window_size(size);
 }
 

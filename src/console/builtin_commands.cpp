@@ -63,7 +63,7 @@ std::string next_value(const CvarInfo& info, const CvarRegistry& variables,
     if (info.name == "pt_preset") return std::string(next_preset(variables, 1)); // never custom
     switch (info.type) {
     case CvarType::String:
-        fail("{} is text: name the values to go through", info.name);
+        fail("{} is text. Name the values to go through.", info.name);
     case CvarType::Choice: {
         const int index = choice_index(info.choices, now) + 1;
         return fmt::to_string(index % choice_count(info.choices));
@@ -73,7 +73,7 @@ std::string next_value(const CvarInfo& info, const CvarRegistry& variables,
         break;
     }
     if (info.minimum > 0 || info.maximum < 1)
-        fail("{} cannot be 0 and 1: name the values to go through", info.name);
+        fail("{} cannot be 0 and 1. Name the values to go through.", info.name);
     return now == "0" ? "1" : "0";
 }
 
@@ -163,7 +163,7 @@ void add_help_commands(CommandRegistry& commands) {
         if (command != commands.commands().end())
             log_info("{} {}", name, command->second.help);
         else if (alias != commands.aliases().end())
-            log_info("{} is an alias for: {}", name, alias->second.text);
+            log_info("{} is an alias. It runs: {}", name, alias->second.text);
         else if (const CvarInfo* info = find_cvar(name))
             log_info("{}", describe_cvar(*info, variables.values()));
         else if (const ForeignName* foreign = find_foreign_name(name))

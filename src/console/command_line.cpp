@@ -45,8 +45,8 @@ CommandLine parse_command_line(std::span<const char* const> words) {
         else if (!commands.empty())
             commands.back().emplace_back(word);
         else
-            fail("command line: \"{}\" belongs to no command; commands begin with +, as in +map "
-                 "warehouse (--help tells more)",
+            fail("command line: \"{}\" belongs to no command. Commands begin with +, as in +map "
+                 "warehouse. --help tells more.",
                  word);
     }
 
@@ -80,11 +80,10 @@ void apply_early_sets(const CommandLine& line, CvarRegistry& variables) {
 std::string command_line_help() {
     return "usage: vigil [+set NAME VALUE]... [+COMMAND [ARGUMENTS]]...\n"
            "\n"
-           "Commands run in the order given, as if typed at the console. Variables that are set "
-           "before\n"
-           "the first other command, and those that are read once at the start (basedir, game, "
-           "...),\n"
-           "are set before anything else happens; neither enters the configuration file.\n"
+           "Commands run in the order given, as if typed at the console. Two kinds of +set come\n"
+           "before anything else: those before the first other command, and those of variables\n"
+           "that are read once at the start (basedir, game, ...). Their values hold for this run.\n"
+           "The configuration file does not keep them.\n"
            "\n"
            "  vigil +map warehouse\n"
            "  vigil +set vid_driver headless +map mine +wait 1 +screenshot mine +quit\n"

@@ -108,7 +108,7 @@ TEST_F(ProgramTest, WhatPlayersOfQuakeTypeWorks) {
     EXPECT_EQ(run("+map tiny +noclip +noclip +kill"), 1); // flies
     output_.clear();
     EXPECT_EQ(run("+map tiny +noclip +wait 2 +kill +wait 2 +viewpos"), 0);
-    EXPECT_NE(output_.find("back to the start"), std::string::npos);
+    EXPECT_NE(output_.find("Back to the start"), std::string::npos);
 }
 
 TEST_F(ProgramTest, VidRestartMakesTheRendererAnew) {

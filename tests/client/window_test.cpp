@@ -320,7 +320,7 @@ TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {
     ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
     const std::string all = text_of(log_);
     EXPECT_EQ(program_->wait(), 1) << all;
-    EXPECT_NE(all.find("reported is what was finished"), std::string::npos) << all;
+    EXPECT_NE(all.find("the report has what was finished"), std::string::npos) << all;
     EXPECT_NE(all.find("config.cfg: not a regular file"), std::string::npos) << all;
     EXPECT_NE(all.find("config.cfg: cannot replace: Is a directory"), std::string::npos) << all;
     const auto report = nlohmann::json::parse(text_of(path("out/demo.json")), nullptr, false);

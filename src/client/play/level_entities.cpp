@@ -92,7 +92,7 @@ LevelEntities::LevelEntities(const Bsp& bsp, const RegisterModel& register_model
         }
     }
     for (const auto& [name, count] : unknown) {
-        log_info("entities of class {} are not shown ({} in this level)", name, count);
+        log_info("entities of class {} are not shown, {} in this level", name, count);
     }
 }
 

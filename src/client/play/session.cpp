@@ -33,7 +33,7 @@ void Session::load_map(std::string_view name) {
     time_s_ = 0.0;
     take_frame_times(true); // those of the level before
     forget_times();
-    log_info("{}: {} faces, {} clusters, {} models placed; loaded in {:.2f} s", level_->name,
+    log_info("{}: {} faces, {} clusters, {} models placed, loaded in {:.2f} s", level_->name,
              bsp.faces.size(), bsp.cluster_count, entities_.entities().size(), watch.seconds());
 }
 
