@@ -170,8 +170,8 @@ std::string describe_foreign_name(const ForeignName& foreign) {
         conversion = " The value here is 2 to the power of it.";
     else if (how.starts_with('*'))
         conversion = fmt::format(" The value here is {} times it.", how.substr(1));
-    return fmt::format("{} is Quake II RTX's name for {}.{} {}", foreign.name, foreign.target,
-                       conversion, foreign.about);
+    return fmt::format("{} is an alias for {}, as Quake II RTX calls it.{} {}", foreign.name,
+                       foreign.target, conversion, foreign.about);
 }
 
 } // namespace vigil

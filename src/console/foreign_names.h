@@ -30,8 +30,7 @@ const ForeignName* find_foreign_name(std::string_view name);
 /// text is no number.
 std::string converted_value(const ForeignName& foreign, std::string_view text);
 
-/// A line or two on what it is here: "tm_exposure_bias is Quake II RTX's name for
-/// pt_exposure_bias."
+/// What it is here, as `help` prints it: "tm_enable is an alias for pt_tonemap, ...".
 std::string describe_foreign_name(const ForeignName& foreign);
 
 } // namespace vigil

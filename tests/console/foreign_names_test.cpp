@@ -79,12 +79,12 @@ TEST_F(ForeignNameTest, TheConsoleTakesThem) {
     EXPECT_EQ(variables->vid_scale, 50);
     EXPECT_EQ(shots, std::vector<std::string>{"one"});
     EXPECT_TRUE(log.contains("pt_num_bounce_rays 0 is pt_bounces 0 here"));
-    EXPECT_TRUE(log.contains("tm_enable is Quake II RTX's name for pt_tonemap. 0 is none, more is "
-                             "filmic."));
+    EXPECT_TRUE(log.contains("tm_enable is an alias for pt_tonemap, as Quake II RTX calls it. 0 is "
+                             "none, more is filmic."));
     commands.execute_text("reset pt_num_bounce_rays; sun_angle; q2rtxlist drs");
     EXPECT_EQ(variables->pt_bounces, 1);
     EXPECT_TRUE(log.contains("pt_sun_size \"-1\""));
-    EXPECT_TRUE(log.contains("drs_target is Quake II RTX's name"));
+    EXPECT_TRUE(log.contains("drs_target is an alias for vid_fps_target"));
 
     // One line for what has no counterpart; a script goes on.
     const std::size_t before = log.lines.size();

@@ -66,14 +66,14 @@ LightStyles::Style& LightStyles::at(int style) {
 void LightStyles::set_pattern(int style, std::string_view letters) {
     const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
     if (!std::ranges::all_of(letters, is_letter)) {
-        fail("a pattern has letters a to z, not \"{}\"", printable(letters, 80));
+        fail("a light style has letters a to z, or a number, not \"{}\"", printable(letters, 80));
     }
     at(style) = {std::string(letters), 1.0f};
 }
 
 void LightStyles::set_value(int style, float value) {
     if (!(value >= 0.0f) || !std::isfinite(value)) {
-        fail("a factor must be at least 0, not {}", value);
+        fail("a light style must be at least 0, not {}", value);
     }
     at(style) = {"", value};
 }

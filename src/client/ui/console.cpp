@@ -223,7 +223,7 @@ Suggestion Console::describe(std::string word, bool first_word) const {
             about = fmt::format("= {}  {} ({})", commands_.variables().get_text(info->name),
                                 info->help, cvar_range_text(*info));
         } else if (const ForeignName* foreign = find_foreign_name(ascii_lower(word))) {
-            about = describe_foreign_name(*foreign);
+            about = fmt::format("alias for {}. {}", foreign->target, foreign->about);
         }
     }
     return {std::move(word), std::move(about)};
