@@ -306,7 +306,10 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     EXPECT_EQ(all.find("alidation"), std::string::npos) << all;
     EXPECT_EQ(all.find("rror"), std::string::npos) << all;
     // What was changed is kept.
-    EXPECT_NE(text_of(path("config/vigil/config.cfg")).find("scr_stats"), std::string::npos);
+    const std::string kept = text_of(path("config/vigil/config.cfg"));
+    EXPECT_NE(kept.find("scr_stats"), std::string::npos) << kept;
+    EXPECT_NE(kept.find("set pt_nee \"power\""), std::string::npos) << kept;
+    EXPECT_NE(kept.find("set pt_preset \"custom\""), std::string::npos) << kept;
 }
 
 TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {

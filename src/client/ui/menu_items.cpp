@@ -211,7 +211,7 @@ std::string_view about_value(const MenuItem& item, const CvarInfo& info, const s
     const auto index = static_cast<size_t>(std::max(choice_index(info.choices, text), 0));
     if (info.name == "pt_nee") return technique_infos[index].help;
     if (info.name == "pt_guide") return guider_infos[index].help;
-    if (info.name == "pt_view") return view_infos[index].help;
+    if (info.name == "pt_view" && index > 0) return view_infos[index].help;
     if (info.name == "pt_compare") {
         if (text == "none") return "Splits the picture: another technique on the right side.";
         if (text == "raw") return "The right side is the same, unfiltered.";
