@@ -7,13 +7,13 @@
 
 // clang-format off
 #define VIGIL_TECHNIQUE_TABLE(ROW) \
-    ROW(sll, "Static Light Lists of Quake II RTX: the lights of the hit's cluster, weighted") \
-    ROW(lh, "Light Hierarchy: a tree over all lights, walked by what each part may add; sees no walls") \
-    ROW(vlc, "Visibility Light Cache: the lights that samples of the last frame have seen nearby, weighted") \
-    ROW(uniform, "every light of the level with equal probability; a baseline") \
-    ROW(power, "every light of the level in proportion to its emitted power; a baseline") \
-    ROW(ris, "resampled importance sampling: some lights of the level, weighted; a baseline that knows no clusters") \
-    ROW(brute, "no light sampling: emitters are found by BRDF rays; the reference for tests")
+    ROW(sll, "Static Light Lists of Quake II RTX. They weight the lights of the surface's PVS cluster.") \
+    ROW(lh, "Light Hierarchy: a tree over all lights. It is walked by what each part may add, and sees no walls.") \
+    ROW(vlc, "Visibility Light Cache. It weights the lights that samples of the last frames have seen nearby.") \
+    ROW(uniform, "Every light of the level with equal probability. A baseline.") \
+    ROW(power, "Every light of the level in proportion to its emitted power. A baseline.") \
+    ROW(ris, "Resampled importance sampling: some lights of the level, weighted. A baseline that knows no clusters.") \
+    ROW(brute, "No light sampling: rays by the BRDF meet the lamps. The reference for tests.")
 // clang-format on
 
 #ifdef __cplusplus

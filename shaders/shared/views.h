@@ -7,21 +7,21 @@
 // Columns: constant, number (in order from 0: it is the variable's value), name, help.
 // clang-format off
 #define VIGIL_VIEW_TABLE(ROW) \
-    ROW(VIEW_NONE,        0,  none,        "the picture") \
-    ROW(VIEW_OCTREE,      1,  octree,      "leaves of the octree, a colour each, with the borders of their cells") \
-    ROW(VIEW_SAMPLES,     2,  samples,     "surface samples that the leaf received in this frame") \
-    ROW(VIEW_VLC_LIGHTS,  3,  vlc_lights,  "lights in the leaf's Visibility Light Cache") \
-    ROW(VIEW_VLC_BUCKETS, 4,  vlc_buckets, "buckets of the leaf's Visibility Light Cache") \
-    ROW(VIEW_CDQ,         5,  cdq,         "directions at the crosshair: what the leaf's quadtree draws, and what light arrives") \
-    ROW(VIEW_TECHNIQUE,   6,  technique,   "what chose the light sample: cache or exploration, and whether it contributed") \
-    ROW(VIEW_ZERO,        7,  zero,        "light samples that contributed nothing") \
-    ROW(VIEW_NONFINITE,   8,  nonfinite,   "values that were not finite") \
-    ROW(VIEW_ALBEDO,      9,  albedo,      "reflectance") \
-    ROW(VIEW_NORMAL,      10, normal,      "geometric normals") \
-    ROW(VIEW_DEPTH,       11, depth,       "distance from the eye") \
-    ROW(VIEW_CLUSTER,     12, cluster,     "PVS clusters, a colour each") \
-    ROW(VIEW_TRIANGLE,    13, triangle,    "triangles, a colour each") \
-    ROW(VIEW_LIGHT,       14, light,       "lights, a colour each")
+    ROW(VIEW_NONE,        0,  none,        "The picture.") \
+    ROW(VIEW_OCTREE,      1,  octree,      "Leaves of the octree, a colour each, with the borders of their cells.") \
+    ROW(VIEW_SAMPLES,     2,  samples,     "Surface samples that the leaf received in this frame.") \
+    ROW(VIEW_VLC_LIGHTS,  3,  vlc_lights,  "Lights in the leaf's Visibility Light Cache.") \
+    ROW(VIEW_VLC_BUCKETS, 4,  vlc_buckets, "Buckets of the leaf's Visibility Light Cache.") \
+    ROW(VIEW_CDQ,         5,  cdq,         "Directions at the crosshair: those that the leaf's quadtree draws, and those that light comes from.") \
+    ROW(VIEW_TECHNIQUE,   6,  technique,   "Whether cache or exploration chose the light sample, and whether it contributed.") \
+    ROW(VIEW_ZERO,        7,  zero,        "Light samples that contributed nothing.") \
+    ROW(VIEW_NONFINITE,   8,  nonfinite,   "Values that were not finite.") \
+    ROW(VIEW_ALBEDO,      9,  albedo,      "Reflectance.") \
+    ROW(VIEW_NORMAL,      10, normal,      "Geometric normals.") \
+    ROW(VIEW_DEPTH,       11, depth,       "Distance from the eye.") \
+    ROW(VIEW_CLUSTER,     12, cluster,     "PVS clusters, a colour each.") \
+    ROW(VIEW_TRIANGLE,    13, triangle,    "Triangles, a colour each.") \
+    ROW(VIEW_LIGHT,       14, light,       "Lights, a colour each.")
 // clang-format on
 
 #ifdef __cplusplus

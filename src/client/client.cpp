@@ -32,21 +32,14 @@ void sleep_for(double seconds) {
 Client::Client(const ClientParts& parts)
     : commands_(parts.commands), console_(parts.console), overlay_(parts.overlay),
       window_(parts.window), variables_(parts.commands.variables()),
-      session_(parts.files, parts.renderer, variables_),
+      make_video_(parts.restart_video), session_(parts.files, parts.renderer, variables_),
       menu_({commands_, parts.bindings, [this] { return list_levels(session_.files()); },
              [this] { return list_demos(*this); }, [this] { return picture_size(); }}),
       input_(commands_, parts.bindings, console_, menu_, session_.camera()),
       fullscreen_(variables_->vid_fullscreen != 0) {
     buttons_.add_commands(commands_);
-    add_level_commands(*this);
-    add_view_commands(*this);
-    add_picture_commands(*this);
-    add_play_commands(*this);
-    add_guiding_commands(*this);
-    add_preset_commands(*this);
-    add_demo_commands(*this);
-    add_compare_commands(*this);
-    add_window_commands(*this);
+    for (const CommandGroup& group : command_groups())
+        add_commands(*this, group.commands);
     session_.renderer().watch_compilation(this);
 }
 
@@ -63,8 +56,36 @@ void Client::quit() {
     commands_.clear();
 }
 
+void Client::restart_video() {
+    if (!make_video_) fail("window and renderer cannot be made anew here");
+    restart_wanted_ = true;
+    // What follows is about the new ones.
+    commands_.pause_script_until([this] { return !restart_wanted_; });
+}
+
+void Client::make_video_anew() {
+    end_flight();
+    end_demo();
+    keep_recording();
+    // Keys that come up now are reported to nobody.
+    input_.handle(platform::FocusEvent{false}, false);
+    input_.handle(platform::FocusEvent{true}, false);
+    waiting_events_.clear();
+    session_.renderer().watch_compilation(nullptr);
+    window_ = nullptr;
+    const Video video = make_video_();
+    window_ = video.window;
+    captured_ = false;
+    fullscreen_ = variables_->vid_fullscreen != 0;
+    session_.use_renderer(video.renderer);
+    session_.renderer().watch_compilation(this);
+    last_frame_s_ = clock_.seconds();
+    restart_wanted_ = false;
+    log_info("window and renderer are new: {}", session_.renderer().device_name());
+}
+
 Session& Client::session_in_level() {
-    if (session_.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
+    if (session_.level() == nullptr) fail("no level is loaded. `map NAME` loads one.");
     return session_;
 }
 
@@ -76,8 +97,8 @@ glm::ivec2 Client::picture_size() const {
 void Client::run() {
     if (!headless() && session_.level() == nullptr && commands_.idle()) {
         menu_.open();
-        log_info("The menu (ESCAPE) has levels; in the console (key `), `maps` lists them, `map "
-                 "NAME` loads one, Tab completes, `help` tells more.");
+        log_info("The menu (ESCAPE) has levels. The key ` opens the console. There `maps` lists "
+                 "levels, `map NAME` loads one, and `help` tells more.");
     }
     last_frame_s_ = clock_.seconds();
     while (!quitting_) {
@@ -95,6 +116,7 @@ void Client::frame() {
     double seconds = std::exchange(last_frame_s_, start_s);
     seconds = headless() ? headless_frame_s : start_s - seconds;
 
+    if (restart_wanted_) make_video_anew();
     if (!headless()) {
         handle_events();
         if (quitting_) return;
@@ -271,7 +293,7 @@ void Client::end_play() {
 void Client::write_walk() {
     const std::optional<Walk> walk = play_->take_recording();
     if (!walk || walk->ticks() == 0)
-        fail("{}: nothing was recorded: no time has passed", play_->recorded_path());
+        fail("{}: not written, because no time has passed", play_->recorded_path());
     const std::filesystem::path file = output_path(play_->recorded_path());
     write_file(file, walk->text());
     log_info("wrote {} ({} ticks)", file.string(), walk->ticks());
@@ -363,16 +385,16 @@ void Client::keep_recording() {
 }
 
 void Client::write_recording(const std::string& path, DemoRecorder& recorder) {
-    if (recorder.frames() == 0) fail("{}: nothing was recorded: no time has passed", path);
+    if (recorder.frames() == 0) fail("{}: not written, because no time has passed", path);
     const std::filesystem::path file = output_path(path);
     const std::vector<uint8_t> bytes = recorder.finish();
     write_file(file, std::as_bytes(std::span(bytes)));
     if (recorder.left_out() > 0)
-        log_warning("{} models of {} had no room in the demo", recorder.left_out(),
+        log_warning("{} models of {} have no room in the demo", recorder.left_out(),
                     recorder.level().name);
     if (recorder.largest_block() > dm2::portable_block_bytes)
-        log_warning("{}: some engines do not read blocks of {} bytes, only up to {}", file.string(),
-                    recorder.largest_block(), dm2::portable_block_bytes);
+        log_warning("{}: some engines refuse blocks of {} bytes. They read up to {}.",
+                    file.string(), recorder.largest_block(), dm2::portable_block_bytes);
     log_info("wrote {} ({} frames, {} bytes)", file.string(), recorder.frames(), bytes.size());
 }
 
@@ -392,7 +414,7 @@ void Client::limit_rate(double frame_start_s) const {
     sleep_for(1.0 / variables_->cl_maxfps - (clock_.seconds() - frame_start_s));
 }
 
-void add_commands(Client& client, std::initializer_list<ClientCommand> rows) {
+void add_commands(Client& client, const ClientCommands& rows) {
     for (const ClientCommand& row : rows) {
         CommandCompletion complete;
         if (row.names)
@@ -404,6 +426,17 @@ void add_commands(Client& client, std::initializer_list<ClientCommand> rows) {
             [&client, run = row.run](CommandArguments words) { run(client, words); },
             std::move(complete));
     }
+}
+
+std::vector<CommandGroup> command_groups() {
+    return {{"Levels and the program", level_commands()},
+            {"Play", play_commands()},
+            {"View and console", view_commands()},
+            {"Window and menu", window_commands()},
+            {"Pictures and flights", picture_commands()},
+            {"Demos", demo_commands()},
+            {"Techniques", compare_commands()},
+            {"What the renderer has learned", guiding_commands()}};
 }
 
 } // namespace vigil::client

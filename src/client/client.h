@@ -31,6 +31,12 @@ namespace vigil::client {
 /// Time that a headless frame lasts, in seconds.
 inline constexpr double headless_frame_s = 1.0 / 60.0;
 
+/// A renderer, and the window that it draws into; null: headless.
+struct Video {
+    refresh::Renderer& renderer;
+    platform::Window* window = nullptr;
+};
+
 /// What a client works with; all must outlive it.
 struct ClientParts {
     const FileSystem& files;
@@ -40,6 +46,9 @@ struct ClientParts {
     Overlay& overlay;
     refresh::Renderer& renderer;
     platform::Window* window = nullptr; ///< null: headless
+    /// Ends window and renderer, and gives new ones by the present variables. Throws Error when
+    /// there are none any more. May be empty.
+    std::function<Video()> restart_video = {};
 };
 
 /// The window was closed while the renderer waited for a compiler.
@@ -63,6 +72,10 @@ public:
     /// Ends run() after the present command; commands that wait are dropped.
     void quit();
     bool quitting() const { return quitting_; }
+
+    /// Makes window and renderer anew before the next frame; the present script waits for it.
+    /// Throws Error when it cannot.
+    void restart_video();
 
     bool headless() const { return window_ == nullptr; }
     Session& session() { return session_; }
@@ -128,6 +141,7 @@ private:
     void handle_events();
     void handle(const platform::Event& event);
     void follow_settings();
+    void make_video_anew();
     void move_camera(double seconds);
     void drag_compare_line();
     FlightInput take_input(double seconds);
@@ -154,6 +168,7 @@ private:
     Overlay& overlay_;
     platform::Window* window_;
     const CvarRegistry& variables_;
+    const std::function<Video()> make_video_;
     Session session_;
     HeldButtons buttons_;
     Menu menu_;
@@ -174,6 +189,7 @@ private:
     Stopwatch clock_;
     double last_frame_s_ = 0.0;
     bool quitting_ = false;
+    bool restart_wanted_ = false;
     bool captured_ = false;
     bool fullscreen_ = false;
     int title_frames_ = 0;
@@ -188,20 +204,27 @@ struct ClientCommand {
     /// What the first word may be.
     std::function<std::vector<std::string>(const Client& client)> names = {};
 };
-void add_commands(Client& client, std::initializer_list<ClientCommand> rows);
+using ClientCommands = std::vector<ClientCommand>;
+void add_commands(Client& client, const ClientCommands& rows);
 
-/// The client's commands by what they are about; each file adds its own.
-void add_level_commands(Client& client);
-void add_view_commands(Client& client);
-void add_picture_commands(Client& client);
-void add_play_commands(Client& client);
-void add_guiding_commands(Client& client);
-void add_preset_commands(Client& client);
-void add_demo_commands(Client& client);
-/// compare, comparemove, +comparedrag.
-void add_compare_commands(Client& client);
-/// togglemenu, resolution.
-void add_window_commands(Client& client);
+/// The client's commands by what they are about; each file has its own.
+ClientCommands level_commands();
+ClientCommands view_commands();
+ClientCommands picture_commands();
+ClientCommands play_commands();
+ClientCommands guiding_commands();
+ClientCommands demo_commands();
+/// compare, comparemove, +comparedrag, presets.
+ClientCommands compare_commands();
+/// togglemenu, the menu's pages, resolution, vid_restart.
+ClientCommands window_commands();
+
+/// All of them, in the order in which a page lists them.
+struct CommandGroup {
+    std::string_view title;
+    ClientCommands commands;
+};
+std::vector<CommandGroup> command_groups();
 
 /// Says what names there are of something, and how many.
 void log_names(const std::vector<std::string>& names, std::string_view of_what);

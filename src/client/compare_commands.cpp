@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Console commands that compare two techniques in one picture: compare, comparemove, +comparedrag.
-// The variables behind them are pt_compare and pt_compare_at.
+// Console commands about techniques: two of them in one picture (compare, comparemove,
+// +comparedrag; the variables behind them are pt_compare and pt_compare_at), and presets.
 #include "client/client.h"
 #include "client/ui/screen_stats.h"
 #include "common/log.h"
 #include "console/arguments.h"
+#include "console/preset.h"
 
 #include <memory>
 
@@ -23,30 +24,41 @@ void compare(Client& client, CommandArguments arguments, std::string& last) {
                                         : before == "none" ? last
                                                            : "none");
     if (client.variables()->pt_compare != 0)
-        log_info("{}: [ and ] or the right mouse button move the line",
+        log_info("{}. The keys [ and ] and the right mouse button move the line.",
                  technique_text(client.variables()));
+}
+
+void list_presets(Client& client, CommandArguments) {
+    const Preset* present = present_preset(client.variables());
+    for (const Preset& preset : presets()) {
+        std::string settings;
+        for (const PresetSetting& setting : preset.settings)
+            settings += fmt::format(" {} {}", setting.variable, setting.value);
+        log_info("{} {:<9} {} It sets{}.", &preset == present ? '*' : ' ', preset.name,
+                 preset.purpose, settings);
+    }
 }
 
 } // namespace
 
-void add_compare_commands(Client& client) {
+ClientCommands compare_commands() {
     const auto compared = [](const Client&) { return choice_names(*find_cvar("pt_compare")); };
-    add_commands(
-        client,
-        {{"compare",
-          "[NAME]: splits the picture: technique NAME (or NAME+cdq) on the right; alone, on and "
-          "off",
-          [last = std::make_shared<std::string>(compared_first)](
-              Client& c, CommandArguments arguments) { compare(c, arguments, *last); },
-          compared},
-         {"comparemove", "PART: moves the line of `compare` by this part of the width",
-          [](Client& c, CommandArguments arguments) {
-              c.move_compare_line(number_at(arguments, 0, "PART"));
-          }},
-         {"+comparedrag", "[KEY]: the mouse moves the line of `compare` while the key is held",
-          [](Client& c, CommandArguments) { c.input().set_dragging(true); }},
-         {"-comparedrag", "[KEY]: ends +comparedrag",
-          [](Client& c, CommandArguments) { c.input().set_dragging(false); }}});
+    return {
+        {"compare",
+         "[NAME]: Splits the picture, with technique NAME on the right. Alone, it switches that "
+         "on and off.",
+         [last = std::make_shared<std::string>(compared_first)](
+             Client& c, CommandArguments arguments) { compare(c, arguments, *last); },
+         compared},
+        {"comparemove", "PART: Moves the line of `compare` by this part of the width.",
+         [](Client& c, CommandArguments arguments) {
+             c.move_compare_line(number_at(arguments, 0, "PART"));
+         }},
+        {"+comparedrag", "[KEY]: The mouse moves the line of `compare` while the key is held.",
+         [](Client& c, CommandArguments) { c.input().set_dragging(true); }},
+        {"-comparedrag", "[KEY]: Ends +comparedrag.",
+         [](Client& c, CommandArguments) { c.input().set_dragging(false); }},
+        {"presets", ": Lists the presets of pt_preset, and what each of them sets.", list_presets}};
 }
 
 } // namespace vigil::client

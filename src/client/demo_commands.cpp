@@ -48,8 +48,8 @@ std::vector<uint8_t> read_demo(const Client& client, const std::string& path) {
     }
     const FileSystem& files = client.session().files();
     if (!files.exists(path))
-        fail("there is no demo {}, neither in the game's folders nor in {}; `demos` lists those "
-             "there are",
+        fail("there is no demo {}, neither in the game's folders nor in {}. `demos` lists the "
+             "demos.",
              path, recorded.parent_path().string());
     return files.read(path);
 }
@@ -61,7 +61,7 @@ void demomap(Client& client, CommandArguments arguments) {
     plan.name = demo_name(arguments[0]);
     plan.fps = dm2::frames_per_second;
     if (arguments.size() == 3) {
-        if (repetitions == 0) fail("pictures are taken of a timedemo: `timedemo 1` first");
+        if (repetitions == 0) fail("only a timedemo keeps pictures. Set `timedemo 1` first.");
         plan.prefix = arguments[1];
         plan.every = integer_at(arguments, 2, "EVERY", 1, 1'000'000);
     }
@@ -78,13 +78,13 @@ void demomap(Client& client, CommandArguments arguments) {
 void record(Client& client, CommandArguments arguments) {
     const std::string path = demo_path(arguments[0]);
     const Session& session = client.session();
-    if (session.level() == nullptr) fail("no level is loaded; `map NAME` loads one");
-    if (session.played() != nullptr) fail("a demo is shown; `map NAME` begins something new");
-    if (client.recording()) fail("a demo is being recorded; `stop` ends it");
+    if (session.level() == nullptr) fail("no level is loaded. `map NAME` loads one.");
+    if (session.played() != nullptr) fail("a demo is shown. `map NAME` begins something new.");
+    if (client.recording()) fail("a demo is being recorded. `stop` ends it.");
     check_output(output_path(path));
     if (arguments.size() == 1) {
         client.start_recording(path);
-        log_info("recording {}; `stop` ends it", path);
+        log_info("recording {}. `stop` ends it.", path);
         return;
     }
     // A route: all of it at once, nothing is rendered.
@@ -130,20 +130,19 @@ std::vector<std::string> list_demos(const Client& client) {
     return names;
 }
 
-void add_demo_commands(Client& client) {
-    add_commands(
-        client,
-        {{"demomap",
-          "NAME.dm2 [PREFIX EVERY]: plays a demo; with `timedemo 1` every frame once, as fast as "
-          "it can, every EVERY-th as PREFIX_000.png ...",
-          demomap, list_demos},
-         {"demos", ": lists the demos that can be played",
-          [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},
-         {"record",
-          "NAME [ROUTE]: records what is flown until `stop`, or routes/ROUTE.route at once, as "
-          "outdir/demos/NAME.dm2",
-          record},
-         {"stop", ": ends the recording, or the demo that plays", stop}});
+ClientCommands demo_commands() {
+    return {
+        {"demomap",
+         "NAME.dm2 [PREFIX EVERY]: Plays a demo. After `timedemo 1` it measures every frame. Then "
+         "each EVERY-th frame is kept as PREFIX_000.png and so on.",
+         demomap, list_demos},
+        {"demos", ": Lists the demos that can be played.",
+         [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},
+        {"record",
+         "NAME [ROUTE]: Records outdir/demos/NAME.dm2 until `stop`. With ROUTE it records "
+         "routes/ROUTE.route at once.",
+         record},
+        {"stop", ": Ends the recording, or the demo that plays.", stop}};
 }
 
 } // namespace vigil::client

@@ -17,12 +17,12 @@ std::string driver_advice(std::string_view device, const std::filesystem::path& 
     std::from_chars(version.data(), version.data() + version.size(), major);
     if (major >= fast_since) return {};
     const std::string slow = fmt::format(
-        "the software driver of Mesa {} is slow, and compiles shaders again while the camera moves",
+        "The software driver of Mesa {} is slow. It compiles shaders again while the camera moves.",
         version.substr(0, version.find_first_of(" ,")));
     std::error_code none;
     if (std::filesystem::exists(fetched, none))
-        return fmt::format("{}; a faster one is here: VK_DRIVER_FILES={}", slow, fetched.string());
-    return slow + "; `./run` fetches a faster one (on Debian 12)";
+        return fmt::format("{} A faster one is here: VK_DRIVER_FILES={}", slow, fetched.string());
+    return slow + " `./run` fetches a faster one on Debian 12.";
 }
 
 } // namespace vigil::client

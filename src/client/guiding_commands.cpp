@@ -53,27 +53,27 @@ auto under_crosshair(Client& client) {
 
 } // namespace
 
-void add_guiding_commands(Client& client) {
+ClientCommands guiding_commands() {
     const auto views = [](const Client&) { return choice_names(*find_cvar("pt_view")); };
-    add_commands(
-        client,
-        {{"view",
-          "[NAME]: shows what the path tracer knows instead of the picture, or lists the views",
-          view, views},
-         {"viewnext", ": the next view of the list; after the last one, the picture",
-          [](Client& c, CommandArguments) { step_view(c, 1); }},
-         {"viewprev", ": the view before", [](Client& c, CommandArguments) { step_view(c, -1); }},
-         {"guiding", ": memory of octree and light caches, and what they counted in recent frames",
-          guiding},
-         {"guidingreset", ": forgets what frames taught (octree, caches, shadow statistics)",
-          [](Client& c, CommandArguments) { c.session_in_level().reset_guiding(); }},
-         {"vlcinfo", ": the octree's leaf under the crosshair and the lights of its cache",
-          [](Client& c, CommandArguments) {
-              log_info("{}", light_cache_text(under_crosshair(c)));
-          }},
-         {"cdqinfo",
-          ": the quadtree of directions of the leaf under the crosshair, and how its rays did",
-          [](Client& c, CommandArguments) { log_info("{}", quadtree_text(under_crosshair(c))); }}});
+    return {
+        {"view",
+         "[NAME]: Shows what the path tracer knows instead of the picture. Alone, it lists the "
+         "views.",
+         view, views},
+        {"viewnext", ": Shows the next view of the list. The picture follows the last one.",
+         [](Client& c, CommandArguments) { step_view(c, 1); }},
+        {"viewprev", ": Shows the view before.",
+         [](Client& c, CommandArguments) { step_view(c, -1); }},
+        {"guiding",
+         ": Prints memory of octree and light caches, and what they counted in recent frames.",
+         guiding},
+        {"guidingreset", ": Forgets what frames have taught: octree, caches and statistics.",
+         [](Client& c, CommandArguments) { c.session_in_level().reset_guiding(); }},
+        {"vlcinfo", ": Prints the octree's leaf under the crosshair and the lights of its cache.",
+         [](Client& c, CommandArguments) { log_info("{}", light_cache_text(under_crosshair(c))); }},
+        {"cdqinfo",
+         ": Prints the quadtree of directions under the crosshair, and how its rays did.",
+         [](Client& c, CommandArguments) { log_info("{}", quadtree_text(under_crosshair(c))); }}};
 }
 
 } // namespace vigil::client

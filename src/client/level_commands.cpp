@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Console commands about the level and what is in it: map, maps, turn, lightstyle, dlight,
+// Console commands about the level and what is in it: map, gamemap, maps, turn, lightstyle, dlight,
 // flashlight, dlight_clear, scene, device, passes, quit.
 #include "client/client.h"
 #include "client/measure/report_text.h"
@@ -62,6 +62,17 @@ void passes(Client& client, CommandArguments) {
     statistics.clear();
 }
 
+/// `gamemap "*base2$lift"`, as levels of a game name the next: after the place where a unit begins
+/// (*), before the place to start at.
+void game_map(Client& client, CommandArguments arguments) {
+    std::string_view name = arguments[0];
+    if (name.starts_with('*')) name.remove_prefix(1);
+    const size_t place = name.find('$');
+    client.load_map(name.substr(0, place));
+    if (place != std::string_view::npos)
+        log_info("The level begins at its own start, not at {}.", name.substr(place + 1));
+}
+
 } // namespace
 
 void log_names(const std::vector<std::string>& names, std::string_view of_what) {
@@ -70,36 +81,37 @@ void log_names(const std::vector<std::string>& names, std::string_view of_what) 
     log_info("{} {}", names.size(), of_what);
 }
 
-void add_level_commands(Client& client) {
+ClientCommands level_commands() {
     const auto levels = [](const Client& c) { return list_levels(c.session().files()); };
     const auto targets = [](const Client& c) { return c.session().entities().targets(); };
-    add_commands(
-        client,
-        {{"map", "NAME: loads a level and starts in it; `maps` lists the levels",
-          [](Client& c, CommandArguments arguments) { c.load_map(arguments[0]); }, levels},
-         {"maps", ": lists the levels that can be loaded",
-          [levels](Client& c, CommandArguments) { log_names(levels(c), "levels"); }},
-         {"turn", "TARGETNAME YAW [PITCH [ROLL]]: turns a brush model of the level, in degrees",
-          turn, targets},
-         {"lightstyle",
-          "N [VALUE|PATTERN]: brightness of light style N, a factor or letters a (dark), m "
-          "(normal) to z, ten per second",
-          lightstyle},
-         {"dlight", "ID x y z RADIUS r g b: puts a glowing ball of that radiance somewhere",
-          dlight},
-         {"dlight_clear", ": removes what dlight put there",
-          [](Client& c, CommandArguments) { c.session().clear_dynamic_lights(); }},
-         {"flashlight", ": switches the flashlight in your hand on or off",
-          [](Client& c, CommandArguments) {
-              c.session_in_level().set_flashlight(!c.session().flashlight());
-          }},
-         {"scene", ": says what the level switched on in the renderer, and why", scene},
-         {"device", ": names the graphics device and its driver",
-          [](Client& c, CommandArguments) {
-              log_info("{}", c.session().renderer().device_name());
-          }},
-         {"passes", ": table of GPU times since the last call or the level's start", passes},
-         {"quit", ": ends the program", [](Client& c, CommandArguments) { c.quit(); }}});
+    return {
+        {"map", "NAME: Loads a level and starts in it. `maps` lists the levels.",
+         [](Client& c, CommandArguments arguments) { c.load_map(arguments[0]); }, levels},
+        {"gamemap",
+         "NAME: Loads a level, as map does. The forms `*NAME` and `NAME$PLACE` of games are taken "
+         "too.",
+         game_map, levels},
+        {"maps", ": Lists the levels that can be loaded.",
+         [levels](Client& c, CommandArguments) { log_names(levels(c), "levels"); }},
+        {"turn", "TARGETNAME YAW [PITCH [ROLL]]: Turns a brush model of the level, in degrees.",
+         turn, targets},
+        {"lightstyle",
+         "N [VALUE|PATTERN]: Sets the brightness of light style N. A VALUE is a factor. A PATTERN "
+         "has ten letters a second, from a (dark) over m (normal) to z.",
+         lightstyle},
+        {"dlight", "ID x y z RADIUS r g b: Puts a glowing ball of radiance r g b at x y z.",
+         dlight},
+        {"dlight_clear", ": Removes the balls of dlight.",
+         [](Client& c, CommandArguments) { c.session().clear_dynamic_lights(); }},
+        {"flashlight", ": Switches the flashlight in your hand on or off.",
+         [](Client& c, CommandArguments) {
+             c.session_in_level().set_flashlight(!c.session().flashlight());
+         }},
+        {"scene", ": Lists what the level switched on in the renderer, and why.", scene},
+        {"device", ": Names the graphics device and its driver.",
+         [](Client& c, CommandArguments) { log_info("{}", c.session().renderer().device_name()); }},
+        {"passes", ": Prints the GPU time of every pass since the last call.", passes},
+        {"quit", ": Ends the program.", [](Client& c, CommandArguments) { c.quit(); }}};
 }
 
 } // namespace vigil::client

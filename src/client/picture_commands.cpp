@@ -30,7 +30,7 @@ std::filesystem::path numbered_path() {
         std::filesystem::path path = output_path(fmt::format("vigil{:04}.png", i));
         if (!std::filesystem::exists(path)) return path;
     }
-    fail("all names vigil0000.png to vigil{}.png are taken; give a name", most_numbered - 1);
+    fail("all names vigil0000.png to vigil{}.png are taken. Give another name.", most_numbered - 1);
 }
 
 Session& current_picture(Client& client) {
@@ -87,17 +87,17 @@ void fly(Client& client, CommandArguments arguments) {
 
 } // namespace
 
-void add_picture_commands(Client& client) {
+ClientCommands picture_commands() {
     const auto routes = [](const Client& c) { return list_routes(c.session().files()); };
-    add_commands(
-        client,
-        {{"screenshot", "[NAME]: writes the picture as PNG", screenshot},
-         {"screenshot_hdr", "NAME: writes linear radiance as EXR", screenshot_hdr},
-         {"exportscene", "NAME.gltf: writes the level with this camera as glTF 2.0", export_scene},
-         {"fly",
-          "ROUTE [FPS] [PREFIX EVERY]: flies the camera along routes/ROUTE.route, FPS frames per "
-          "second of the route, every EVERY-th as PREFIX_000.png ...; then prints the times",
-          fly, routes}});
+    return {
+        {"screenshot", "[NAME]: Writes the picture as outdir/NAME.png.", screenshot},
+        {"screenshot_hdr", "NAME: Writes linear radiance as outdir/NAME.exr.", screenshot_hdr},
+        {"exportscene", "NAME.gltf: Writes the level with this camera as glTF 2.0.", export_scene},
+        {"fly",
+         "ROUTE [FPS] [PREFIX EVERY]: Flies the camera along routes/ROUTE.route, and prints the "
+         "times. Each second of the route has FPS frames. Each EVERY-th frame is kept as "
+         "PREFIX_000.png and so on.",
+         fly, routes}};
 }
 
 } // namespace vigil::client

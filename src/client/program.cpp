@@ -17,6 +17,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -125,6 +127,61 @@ std::unique_ptr<platform::Window> make_window(const CvarRegistry& variables) {
     return platform::open_window(variables.get_text("vid_driver"), options);
 }
 
+/// The window, if there is one, and the renderer in it, as the variables want them.
+class Screen {
+public:
+    Screen(FileSystem& files, CvarRegistry& variables, const MakeRenderer& make_renderer)
+        : files_(files), variables_(variables), make_renderer_(make_renderer) {}
+
+    /// Throws Error.
+    void open(bool with_window) {
+        if (with_window) window_ = make_window(variables_);
+        renderer_ = make_renderer_(files_, window_.get(), variables_.values());
+        for (const std::string_view name : read_once)
+            opened_with_.insert_or_assign(name, variables_.get_text(name));
+    }
+
+    /// Closes both and opens them anew; where that fails, as they were.
+    Video restart() {
+        const bool with_window = window_ != nullptr;
+        close();
+        try {
+            open_again(with_window);
+        } catch (const Error& error) {
+            log_error("vid_restart: {}", error.what());
+            close();
+            for (const auto& [name, text] : opened_with_)
+                variables_.set_for_this_run(name, text);
+            open_again(with_window);
+        }
+        return {*renderer_, window_.get()};
+    }
+
+    platform::Window* window() const { return window_.get(); }
+    refresh::Renderer& renderer() const { return *renderer_; }
+
+private:
+    /// By window and renderer, when they are made.
+    static constexpr std::string_view read_once[] = {"vid_driver", "vk_device", "vk_validation",
+                                                     "vk_debug_names"};
+
+    void close() {
+        renderer_.reset();
+        window_.reset();
+    }
+    void open_again(bool with_window) {
+        open(with_window);
+        if (with_window && window_ == nullptr) fail("no window opens");
+    }
+
+    FileSystem& files_;
+    CvarRegistry& variables_;
+    const MakeRenderer& make_renderer_;
+    std::map<std::string_view, std::string> opened_with_;
+    std::unique_ptr<platform::Window> window_;
+    std::unique_ptr<refresh::Renderer> renderer_; // ends before the window does
+};
+
 int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
                  const std::function<void(Client&)>& add_commands) {
     CvarRegistry& variables = cvars();
@@ -139,25 +196,27 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
 
     Console console(commands);
 
-    std::unique_ptr<platform::Window> window; // once the configuration is known
+    // The overlay outlives the renderer; the window opens once the configuration is known.
+    std::unique_ptr<Overlay> overlay;
+    Screen screen(files, variables, make_renderer);
     const bool may_open_window = platform::wants_window(variables.get_text("vid_driver"));
     if (may_open_window) {
         load_configuration(commands, console.history());
         apply_early_sets(line, variables);
-        window = make_window(variables);
     }
-    Overlay overlay({[&window] { return window ? window->clipboard() : std::string(); },
-                     [&window](const std::string& text) {
-                         if (window) window->set_clipboard(text);
-                     }});
-    const std::unique_ptr<refresh::Renderer> renderer =
-        make_renderer(files, window.get(), variables.values());
+    overlay = std::make_unique<Overlay>(Clipboard{
+        [&screen] { return screen.window() != nullptr ? screen.window()->clipboard() : ""; },
+        [&screen](const std::string& text) {
+            if (screen.window() != nullptr) screen.window()->set_clipboard(text);
+        }});
+    screen.open(may_open_window);
 
     const std::string advice =
-        driver_advice(renderer->device_name(), cache_dir() / "mesa/lvp_icd.json");
+        driver_advice(screen.renderer().device_name(), cache_dir() / "mesa/lvp_icd.json");
     if (!advice.empty()) log_info("{}", advice);
 
-    Client client({files, commands, bindings, console, overlay, *renderer, window.get()});
+    Client client({files, commands, bindings, console, *overlay, screen.renderer(), screen.window(),
+                   [&screen] { return screen.restart(); }});
     if (add_commands) add_commands(client);
     run_autoexec(commands, files);
     apply_early_sets(line, variables);
@@ -167,8 +226,8 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
     words.push_back({"wait"});
     commands.execute_words(words);
     if (client.headless() && line.commands.empty()) {
-        log_info("there is no window and nothing to do; give commands, for example "
-                 "+map warehouse +wait 4 +screenshot");
+        log_info("There is no window, and there is nothing to do. Give commands, for example +map "
+                 "warehouse +wait 4 +screenshot");
     }
     {
         std::optional<KeptConfiguration> kept;
@@ -179,7 +238,7 @@ int run_commands(const CommandLine& line, const MakeRenderer& make_renderer,
         const int status = client.cut_short() ? 1 : 0;
         client.end_play(); // keeps what is recorded
         // A driver's compiler cannot be broken off, and who closed the window waits for nothing.
-        if (renderer->compiling()) {
+        if (screen.renderer().compiling()) {
             std::fflush(nullptr);
             std::_Exit(status);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Console commands about the window: togglemenu, resolution.
+// Console commands about the window: togglemenu and the menu's pages, resolution, vid_restart.
 #include "client/client.h"
 #include "common/log.h"
 #include "console/arguments.h"
@@ -8,13 +8,16 @@ namespace vigil::client {
 
 namespace {
 
-void toggle_menu(Client& client, CommandArguments) {
-    if (client.menu().is_open()) {
-        client.menu().close();
-        return;
-    }
+void open_menu(Client& client, MenuPage page) {
     client.console().set_open(false);
-    client.menu().open();
+    client.menu().open(page);
+}
+
+void toggle_menu(Client& client, CommandArguments) {
+    if (client.menu().is_open())
+        client.menu().close();
+    else
+        open_menu(client, MenuPage::Main);
 }
 
 void resolution(Client& client, CommandArguments arguments) {
@@ -31,17 +34,29 @@ void resolution(Client& client, CommandArguments arguments) {
     commands.set_variable("vid_width", std::to_string(size.x));
     commands.set_variable("vid_height", std::to_string(size.y));
     if (!client.headless() && client.variables()->vid_fullscreen != 0)
-        log_info("in full screen the picture has the screen's size; this is the window's");
+        log_info("The window has this size. In full screen the picture has the screen's size.");
     client.set_window_size(size);
 }
 
 } // namespace
 
-void add_window_commands(Client& client) {
-    add_commands(client, {{"togglemenu", ": opens or closes the menu", toggle_menu},
-                          {"resolution",
-                           "[WIDTH HEIGHT]: size of the window, or, without one, of the pictures",
-                           resolution}});
+ClientCommands window_commands() {
+    const auto page = [](MenuPage which) {
+        return [which](Client& c, CommandArguments) { open_menu(c, which); };
+    };
+    return {{"togglemenu", ": Opens or closes the menu.", toggle_menu},
+            {"menu_main", ": Opens the menu's first page.", page(MenuPage::Main)},
+            {"menu_video", ": Opens the menu's page of window and picture.", page(MenuPage::Video)},
+            {"menu_options", ": Opens the menu's page of mouse, controller and keys.",
+             page(MenuPage::Controls)},
+            {"menu_keys", ": Opens the menu's page of keys.", page(MenuPage::Keys)},
+            {"menu_quit", ": Asks whether to end the program.", page(MenuPage::Quit)},
+            {"resolution",
+             "[WIDTH HEIGHT]: Sets or prints the size of the window, or of headless pictures.",
+             resolution},
+            {"vid_restart",
+             ": Makes window and renderer anew, by the variables vid_ and vk_ as they are now.",
+             [](Client& c, CommandArguments) { c.restart_video(); }}};
 }
 
 } // namespace vigil::client

@@ -27,7 +27,7 @@ std::filesystem::path find_basedir(std::string_view basedir) {
         if (fs::is_directory(place / "baseq2", fault)) return place;
         looked_in += (looked_in.empty() ? "" : ", ") + place.string();
     }
-    fail("no folder baseq2 in {}; say where it is with +set basedir FOLDER", looked_in);
+    fail("no folder baseq2 in {}. Say where it is with +set basedir FOLDER.", looked_in);
 }
 
 } // namespace vigil

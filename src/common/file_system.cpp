@@ -51,7 +51,7 @@ fs::path game_folder(const fs::path& basedir, std::string_view name) {
     for (const fs::path& entry : sorted_entries(basedir))
         if (equal_nocase(entry.filename().string(), name) && fs::is_directory(entry, ignored))
             return entry;
-    fail("{}: has no folder {}; basedir and game say where game data is", basedir.string(), name);
+    fail("{}: has no folder {}. basedir and game say where game data is.", basedir.string(), name);
 }
 
 } // namespace
@@ -91,7 +91,7 @@ void FileSystem::mount_folder(const fs::path& folder) {
         try {
             mount(open(archive));
         } catch (const Error& error) {
-            log_error("{}; archive skipped", error.what());
+            log_error("{}. The archive is skipped.", error.what());
         }
     };
     for (const fs::path& pak : paks)

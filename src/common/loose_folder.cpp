@@ -26,7 +26,7 @@ public:
         std::vector<fs::path> above;
         walk(folder_, "", above);
         if (entries_ > max_entries)
-            log_warning("{}: more than {} files; the others are left out", name(), max_entries);
+            log_warning("{}: more than {} files. The others are left out.", name(), max_entries);
         report_skipped();
     }
 

@@ -6,6 +6,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "console/arguments.h"
+#include "console/preset.h"
 
 #include <climits>
 #include <fmt/ranges.h>
@@ -21,6 +22,9 @@ std::string_view optional_word(CommandArguments arguments) {
 
 const CvarInfo& known_cvar(std::string_view name) {
     const CvarInfo* info = find_cvar(ascii_lower(name));
+    const ForeignName* foreign = find_foreign_name(ascii_lower(name));
+    if (!info && foreign) info = find_cvar(foreign->target);
+    if (!info && foreign) fail("{}", describe_foreign_name(*foreign));
     if (!info) fail("{}: unknown variable", name);
     return *info;
 }
@@ -31,9 +35,11 @@ std::string join(CommandArguments words) {
 
 std::vector<std::string> variable_names(CommandArguments finished) {
     std::vector<std::string> names;
-    if (finished.empty())
-        for (const CvarInfo& info : cvar_infos)
-            names.emplace_back(info.name);
+    if (!finished.empty()) return names;
+    for (const CvarInfo& info : cvar_infos)
+        names.emplace_back(info.name);
+    for (const ForeignName& foreign : foreign_names())
+        if (find_cvar(foreign.target)) names.emplace_back(foreign.name);
     return names;
 }
 
@@ -54,9 +60,10 @@ std::string next_value(const CvarInfo& info, const CvarRegistry& variables,
             if (equal_nocase(values[i], now)) return values[(i + 1) % values.size()];
         return values[0];
     }
+    if (info.name == "pt_preset") return std::string(next_preset(variables, 1)); // never custom
     switch (info.type) {
     case CvarType::String:
-        fail("{} is text: name the values to go through", info.name);
+        fail("{} is text. Name the values to go through.", info.name);
     case CvarType::Choice: {
         const int index = choice_index(info.choices, now) + 1;
         return fmt::to_string(index % choice_count(info.choices));
@@ -66,7 +73,7 @@ std::string next_value(const CvarInfo& info, const CvarRegistry& variables,
         break;
     }
     if (info.minimum > 0 || info.maximum < 1)
-        fail("{} cannot be 0 and 1: name the values to go through", info.name);
+        fail("{} cannot be 0 and 1. Name the values to go through.", info.name);
     return now == "0" ? "1" : "0";
 }
 
@@ -74,26 +81,33 @@ void add_variable_commands(CommandRegistry& commands) {
     CvarRegistry& variables = commands.variables();
 
     commands.add(
-        "set", "NAME VALUE: sets a variable",
+        "set", "NAME VALUE: Sets a variable.",
         [&](CommandArguments arguments) {
-            commands.set_variable(known_cvar(arguments[0]).name, arguments[1]);
+            if (const ForeignName* foreign = find_foreign_name(ascii_lower(arguments[0])))
+                commands.set_foreign(*foreign, arguments[1]);
+            else
+                commands.set_variable(known_cvar(arguments[0]).name, arguments[1]);
         },
         names_then_choices);
     commands.add(
-        "seta", "NAME VALUE: sets a variable; for configuration files of other engines",
+        "seta", "NAME VALUE: Sets a variable, as configuration files of other engines do.",
         [&](CommandArguments arguments) {
+            if (const ForeignName* foreign = find_foreign_name(ascii_lower(arguments[0])))
+                return commands.set_foreign(*foreign, arguments[1]);
             const CvarInfo& info = known_cvar(arguments[0]);
             commands.set_variable(info.name, arguments[1]);
             if (info.life == CvarLife::Session)
-                log_info("{} is not kept: it lasts until the program ends", info.name);
+                log_info("{} is not kept. It lasts until the program ends.", info.name);
         },
         names_then_choices);
     commands.add(
-        "reset", "NAME: sets a variable to its default",
+        "reset", "NAME: Sets a variable to its default.",
         [&](CommandArguments arguments) { commands.reset_variable(known_cvar(arguments[0]).name); },
         variable_names);
     commands.add(
-        "toggle", "NAME [VALUES...]: 0 to 1 and back, the next choice, or the next of VALUES",
+        "toggle",
+        "NAME [VALUES...]: Sets a variable to the next of VALUES. Without VALUES, it goes from 0 "
+        "to 1 and back, or to the next choice.",
         [&](CommandArguments arguments) {
             const CvarInfo& info = known_cvar(arguments[0]);
             commands.set_variable(info.name, next_value(info, variables, arguments.subspan(1)));
@@ -101,7 +115,8 @@ void add_variable_commands(CommandRegistry& commands) {
         },
         variable_names);
     commands.add(
-        "cvarlist", "[PREFIX]: all variables; * marks those that differ from their default",
+        "cvarlist",
+        "[PREFIX]: Lists the variables. A * marks those that differ from their default.",
         [&](CommandArguments arguments) {
             const auto rows = list_cvars(optional_word(arguments));
             for (const CvarInfo* info : rows) {
@@ -118,7 +133,7 @@ void add_variable_commands(CommandRegistry& commands) {
 void add_help_commands(CommandRegistry& commands) {
     CvarRegistry& variables = commands.variables();
 
-    commands.add("cmdlist", "[PREFIX]: all commands", [&](CommandArguments arguments) {
+    commands.add("cmdlist", "[PREFIX]: Lists the commands.", [&](CommandArguments arguments) {
         int count = 0;
         for (const auto& [name, command] : commands.commands()) {
             if (!starts_nocase(name, optional_word(arguments))) continue;
@@ -128,11 +143,18 @@ void add_help_commands(CommandRegistry& commands) {
         log_info("{} commands", count);
     });
 
+    commands.add("q2rtxlist", "[PREFIX]: Lists names of Quake II RTX, and what they are here.",
+                 [](CommandArguments arguments) {
+                     for (const ForeignName& foreign : foreign_names())
+                         if (starts_nocase(foreign.name, optional_word(arguments)))
+                             log_info("  {}", describe_foreign_name(foreign));
+                 });
+
     const auto help = [&](CommandArguments arguments) {
         if (arguments.empty()) {
-            log_info(
-                "cmdlist [PREFIX] shows commands, cvarlist [PREFIX] variables; help NAME tells "
-                "about one. A variable's name alone shows its value, NAME VALUE sets it.");
+            log_info("cmdlist [PREFIX] lists commands, cvarlist [PREFIX] variables. help NAME "
+                     "tells about "
+                     "one. A variable's name alone prints its value, and NAME VALUE sets it.");
             return;
         }
         const std::string name = ascii_lower(arguments[0]);
@@ -141,13 +163,15 @@ void add_help_commands(CommandRegistry& commands) {
         if (command != commands.commands().end())
             log_info("{} {}", name, command->second.help);
         else if (alias != commands.aliases().end())
-            log_info("{} is an alias for: {}", name, alias->second.text);
+            log_info("{} is an alias. It runs: {}", name, alias->second.text);
         else if (const CvarInfo* info = find_cvar(name))
             log_info("{}", describe_cvar(*info, variables.values()));
+        else if (const ForeignName* foreign = find_foreign_name(name))
+            log_info("{}", describe_foreign_name(*foreign));
         else
             fail("{}: no command or variable has this name", arguments[0]);
     };
-    commands.add("help", "[NAME]: what a command or variable does", help,
+    commands.add("help", "[NAME]: Tells what a command or variable does.", help,
                  [&](CommandArguments finished) {
                      std::vector<std::string> names = variable_names(finished);
                      if (finished.empty())
@@ -158,20 +182,22 @@ void add_help_commands(CommandRegistry& commands) {
 }
 
 void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
-    commands.add("echo", "[WORDS...]: prints them",
+    commands.add("echo", "[WORDS...]: Prints the words.",
                  [](CommandArguments arguments) { log_info("{}", join(arguments)); });
-    commands.add("wait", "[FRAMES]: what follows in the same script waits for 1 or more frames",
+    commands.add("wait", "[FRAMES]: The rest of the script waits for so many frames, or one.",
                  [&](CommandArguments arguments) {
                      commands.pause_script(
                          arguments.empty() ? 1 : integer_at(arguments, 0, "FRAMES", 0, INT_MAX));
                  });
-    commands.add("exec", "FILE: runs the commands of a cfg file",
+    commands.add("exec", "FILE: Runs the commands of a cfg file.",
                  [&commands, read = std::move(read_script)](CommandArguments arguments) {
                      const ScriptText script = read(arguments[0]);
                      commands.insert_text(script.text, arguments[0], script.trust);
                  });
 
-    commands.add("alias", "[NAME [COMMANDS...]]: names a list of commands; shows one or all",
+    commands.add("alias",
+                 "[NAME [COMMANDS...]]: Gives a name to a list of commands. With less, it prints "
+                 "one alias or all.",
                  [&](CommandArguments arguments) {
                      if (arguments.empty()) {
                          for (const auto& [name, script] : commands.aliases())
@@ -186,7 +212,7 @@ void add_script_commands(CommandRegistry& commands, ScriptReader read_script) {
                          commands.set_alias(arguments[0], join(arguments.subspan(1)));
                      }
                  });
-    commands.add("unalias", "NAME: forgets an alias",
+    commands.add("unalias", "NAME: Forgets an alias.",
                  [&](CommandArguments arguments) { commands.remove_alias(arguments[0]); });
 }
 

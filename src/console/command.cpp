@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/printable.h"
+#include "console/preset.h"
 
 #include <algorithm>
 #include <exception>
@@ -75,7 +76,7 @@ void CommandRegistry::set_alias(std::string_view name, std::string_view text) {
     if (find_cvar(lower)) fail("{}: a variable has this name", name);
     if (commands_.contains(lower)) fail("{}: a command has this name", name);
     if (aliases_.size() >= max_aliases && !aliases_.contains(lower))
-        fail("{}: there are {} aliases already, the most there may be", name, max_aliases);
+        fail("{}: there are {} aliases already, which is the limit", name, max_aliases);
     aliases_[lower] = {std::string(text), trust_};
 }
 
@@ -248,19 +249,45 @@ void CommandRegistry::dispatch(const std::vector<std::string>& words) {
         const ScriptText script = alias->second; // it may redefine itself
         insert_text(script.text, {}, script.trust);
     } else if (const CvarInfo* info = find_cvar(name)) {
-        if (arguments.size() > 1) fail("takes one value; put text with spaces in double quotes");
+        if (arguments.size() > 1) fail("takes one value. Put text with spaces in double quotes.");
         if (arguments.empty())
             log_info("{}", describe_cvar(*info, variables_.values()));
         else
             set_variable(name, arguments[0]);
+    } else if (const ForeignName* foreign = find_foreign_name(name)) {
+        run_foreign(*foreign, arguments);
     } else {
-        fail("unknown command; cmdlist and cvarlist show what there is");
+        fail("unknown command. cmdlist and cvarlist list what there is.");
     }
+}
+
+void CommandRegistry::run_foreign(const ForeignName& foreign, CommandArguments arguments) {
+    if (!foreign.target.empty() && find_cvar(foreign.target) == nullptr) {
+        std::vector<std::string> words{std::string(foreign.target)};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return dispatch(words);
+    }
+    if (arguments.size() > 1) fail("takes one value");
+    if (arguments.size() == 1) return set_foreign(foreign, arguments[0]);
+    log_info("{}", describe_foreign_name(foreign));
+    if (const CvarInfo* info = find_cvar(foreign.target))
+        log_info("{}", describe_cvar(*info, variables_.values()));
+}
+
+void CommandRegistry::set_foreign(const ForeignName& foreign, std::string_view text) {
+    if (find_cvar(foreign.target) == nullptr) {
+        log_warning("{}", describe_foreign_name(foreign));
+        return;
+    }
+    const std::string value = converted_value(foreign, text);
+    set_variable(foreign.target, value);
+    log_info("{} {} is {} {} here", foreign.name, text, foreign.target,
+             variables_.get_text(foreign.target));
 }
 
 void CommandRegistry::check_may_set(const CvarInfo& info) const {
     if (info.guarded && trust_ == Trust::Archive)
-        fail("{}: not set, for the command comes from a cfg inside a game archive", info.name);
+        fail("{}: not set. A cfg inside a game archive must not set it.", info.name);
 }
 
 void CommandRegistry::set_variable(std::string_view name, std::string_view text) {
@@ -269,8 +296,15 @@ void CommandRegistry::set_variable(std::string_view name, std::string_view text)
         variables_.set(name, text);
     else
         variables_.set_for_this_run(name, text);
-    if (find_cvar(name)->life == CvarLife::Start)
-        log_info("{} is read when the program starts: put +set {} {} on the command line", name,
+    if (name == "pt_preset" && equal_nocase(text, custom_preset) &&
+        present_preset(variables_) != nullptr)
+        log_info("pt_preset stays \"{}\". It becomes custom when a setting is changed.",
+                 variables_.get_text(name));
+    if (find_cvar(name)->life != CvarLife::Start) return;
+    if (name.starts_with("vid_") || name.starts_with("vk_"))
+        log_info("{} takes effect with vid_restart.", name);
+    else
+        log_info("{} is read when the program starts. Put +set {} {} on the command line.", name,
                  name, quote_word(text));
 }
 

@@ -7,6 +7,7 @@
 
 #include "console/command_text.h"
 #include "console/cvar.h"
+#include "console/foreign_names.h"
 
 #include <cstdint>
 #include <deque>
@@ -114,6 +115,8 @@ public:
     void set_variable(std::string_view name, std::string_view text);
     /// The same for the default value.
     void reset_variable(std::string_view name);
+    /// Sets what `foreign` stands for, and says what that is; says so where that is nothing.
+    void set_foreign(const ForeignName& foreign, std::string_view text);
 
     const CommandMap& commands() const { return commands_; }
 
@@ -145,6 +148,7 @@ private:
     void run(Script& script);
     bool run_one(Script& script);
     void dispatch(const std::vector<std::string>& words);
+    void run_foreign(const ForeignName& foreign, CommandArguments arguments);
     std::vector<std::string> expand(const CommandText& command) const;
     void report(std::string_view name, std::string_view text, const Pending& pending);
     std::vector<std::string> argument_candidates(const std::vector<std::string>& words) const;

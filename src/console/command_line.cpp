@@ -4,6 +4,7 @@
 
 #include "common/ascii_case.h"
 #include "common/error.h"
+#include "console/foreign_names.h"
 
 #include <fmt/ranges.h>
 #include <string_view>
@@ -44,8 +45,8 @@ CommandLine parse_command_line(std::span<const char* const> words) {
         else if (!commands.empty())
             commands.back().emplace_back(word);
         else
-            fail("command line: \"{}\" belongs to no command; commands begin with +, as in +map "
-                 "warehouse (--help tells more)",
+            fail("command line: \"{}\" belongs to no command. Commands begin with +, as in +map "
+                 "warehouse. --help tells more.",
                  word);
     }
 
@@ -56,7 +57,14 @@ CommandLine parse_command_line(std::span<const char* const> words) {
         if (set && command.size() != 3)
             fail("command line: +{} needs a name and a value", fmt::join(command, " "));
         only_sets_so_far = only_sets_so_far && set;
-        if (set && (only_sets_so_far || is_start_variable(command[1])))
+        const ForeignName* foreign = set ? find_foreign_name(ascii_lower(command[1])) : nullptr;
+        if (foreign != nullptr && find_cvar(foreign->target) != nullptr) {
+            command[2] = converted_value(*foreign, command[2]);
+            command[1] = foreign->target;
+        }
+        // What has no counterpart is said once, when commands run.
+        const bool is_known = foreign == nullptr || !foreign->target.empty();
+        if (set && is_known && (only_sets_so_far || is_start_variable(command[1])))
             line.early_sets.emplace_back(command[1], command[2]);
         else
             line.commands.push_back(std::move(command));
@@ -72,11 +80,10 @@ void apply_early_sets(const CommandLine& line, CvarRegistry& variables) {
 std::string command_line_help() {
     return "usage: vigil [+set NAME VALUE]... [+COMMAND [ARGUMENTS]]...\n"
            "\n"
-           "Commands run in the order given, as if typed at the console. Variables that are set "
-           "before\n"
-           "the first other command, and those that are read once at the start (basedir, game, "
-           "...),\n"
-           "are set before anything else happens; neither enters the configuration file.\n"
+           "Commands run in the order given, as if typed at the console. Two kinds of +set come\n"
+           "before anything else: those before the first other command, and those of variables\n"
+           "that are read once at the start (basedir, game, ...). Their values hold for this run.\n"
+           "The configuration file does not keep them.\n"
            "\n"
            "  vigil +map warehouse\n"
            "  vigil +set vid_driver headless +map mine +wait 1 +screenshot mine +quit\n"

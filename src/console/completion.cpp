@@ -44,6 +44,12 @@ std::size_t last_word_begin(std::string_view line) {
 std::vector<std::string>
 CommandRegistry::argument_candidates(const std::vector<std::string>& words) const {
     const std::string name = ascii_lower(words.front());
+    const ForeignName* foreign = find_foreign_name(name);
+    if (foreign && commands_.contains(foreign->target)) {
+        std::vector<std::string> meant = words;
+        meant.front() = foreign->target;
+        return argument_candidates(meant);
+    }
     if (const CvarInfo* info = find_cvar(name))
         return words.size() == 1 ? choice_names(*info) : std::vector<std::string>();
     const auto command = commands_.find(name);
@@ -76,6 +82,8 @@ Completion CommandRegistry::complete(std::string_view line) const {
             all.push_back(name);
         for (const CvarInfo& info : cvar_infos)
             all.emplace_back(info.name);
+        for (const ForeignName& foreign : foreign_names())
+            if (!foreign.target.empty()) all.emplace_back(foreign.name);
     }
 
     for (std::string& candidate : all)

@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/printable.h"
+#include "console/preset.h"
 
 #include <algorithm>
 #include <charconv>
@@ -91,6 +92,35 @@ int parse_choice(const CvarInfo& info, std::string_view text) {
     return index;
 }
 
+using Value = std::variant<std::string, int, float>;
+
+/// What a person's text means; throws Error as CvarRegistry::set().
+Value parse_value(const CvarInfo& info, std::string_view text) {
+    switch (info.type) {
+    case CvarType::String:
+        return check_string(info, text);
+    case CvarType::Choice:
+        return parse_choice(info, text);
+    case CvarType::Real:
+        return static_cast<float>(clamp_number(info, parse_number(info, text)));
+    case CvarType::Integer:
+        break;
+    }
+    const double number = clamp_number(info, parse_number(info, text));
+    if (number != std::floor(number))
+        fail("{}: \"{}\" is not a whole number ({})", info.name, text, cvar_range_text(info));
+    return static_cast<int>(number);
+}
+
+/// Of pt_preset, which follows other rows.
+const CvarInfo& preset_info() {
+    static const CvarInfo& info = *find_cvar("pt_preset");
+    return info;
+}
+std::size_t preset_row() {
+    return static_cast<std::size_t>(&preset_info() - cvar_infos);
+}
+
 } // namespace
 
 CvarRegistry& cvars() {
@@ -164,49 +194,59 @@ std::size_t CvarRegistry::row_of(const Member& member) {
 
 void CvarRegistry::set_for_this_run(std::string_view name, std::string_view text) {
     const std::size_t row = row_of(name);
-    const CvarInfo& info = cvar_infos[row];
-    switch (info.type) {
-    case CvarType::String:
-        assign(row, check_string(info, text));
-        return;
-    case CvarType::Choice:
-        assign(row, parse_choice(info, text));
-        return;
-    case CvarType::Real:
-        assign(row, static_cast<float>(clamp_number(info, parse_number(info, text))));
-        return;
-    case CvarType::Integer:
-        break;
-    }
-    const double number = clamp_number(info, parse_number(info, text));
-    if (number != std::floor(number))
-        fail("{}: \"{}\" is not a whole number ({})", info.name, text, cvar_range_text(info));
-    assign(row, static_cast<int>(number));
+    Value value = parse_value(cvar_infos[row], text);
+    if (row == preset_row())
+        assign_preset(std::get<int>(value));
+    else
+        assign(row, std::move(value));
 }
 
 void CvarRegistry::set(std::string_view name, std::string_view text) {
     set_for_this_run(name, text);
-    states_[row_of(name)].archived = get_text(name);
+    keep(row_of(name));
 }
 
-void CvarRegistry::assign(std::size_t row, Value value) {
-    std::visit(
+/// The configuration file keeps the present value; for pt_preset, those that it stands for.
+void CvarRegistry::keep(std::size_t row) {
+    states_[row].archived = cvar_text(cvar_infos[row], values_);
+    if (row != preset_row()) return;
+    if (const Preset* preset = find_preset(states_[row].archived))
+        for (const PresetSetting& setting : preset->settings)
+            keep(row_of(setting.variable));
+}
+
+/// False where it has this value already.
+bool CvarRegistry::store(std::size_t row, Value value) {
+    return std::visit(
         [&](auto member) {
             auto& target = values_.*member;
             auto& source = std::get<std::remove_reference_t<decltype(target)>>(value);
-            if (target == source) return;
+            if (target == source) return false;
             target = std::move(source);
             ++states_[row].changes;
             ++changes_;
+            return true;
         },
         cvar_infos[row].member);
 }
 
+void CvarRegistry::assign(std::size_t row, Value value) {
+    if (store(row, std::move(value)) && is_preset_setting(cvar_infos[row].name))
+        store(preset_row(), choice_index(preset_info().choices, preset_name_of(values_)));
+}
+
+void CvarRegistry::assign_preset(int choice) {
+    const Preset* preset = find_preset(choice_name(preset_info().choices, choice));
+    if (preset == nullptr) return; // custom
+    for (const PresetSetting& setting : preset->settings) {
+        const std::size_t row = row_of(setting.variable);
+        store(row, parse_value(cvar_infos[row], setting.value));
+    }
+    store(preset_row(), choice);
+}
+
 void CvarRegistry::reset(std::string_view name) {
-    const std::size_t row = row_of(name);
-    const CvarValues defaults;
-    std::visit([&](auto member) { assign(row, defaults.*member); }, cvar_infos[row].member);
-    states_[row].archived = get_text(name);
+    set(name, cvar_default_text(cvar_infos[row_of(name)]));
 }
 
 std::string CvarRegistry::get_text(std::string_view name) const {
@@ -218,10 +258,18 @@ std::uint64_t CvarRegistry::changes(std::string_view name) const {
 }
 
 std::string CvarRegistry::archive_text() const {
+    // The preset of what is kept: the present one may be for this run only.
+    const auto kept_of = [this](std::string_view name) { return states_[row_of(name)].archived; };
+    const Preset* preset = preset_with(kept_of);
     std::string text;
     for (const CvarInfo* info : list_cvars()) {
-        const std::string& value = states_[row_of(info->name)].archived;
-        if (info->life == CvarLife::Archived && value != cvar_default_text(*info))
+        if (info->life != CvarLife::Archived) continue;
+        std::string value = kept_of(info->name);
+        if (info == &preset_info())
+            value = preset != nullptr ? preset->name : custom_preset;
+        else if (preset != nullptr && is_preset_setting(info->name))
+            continue;
+        if (value != cvar_default_text(*info))
             text += fmt::format("set {} \"{}\"\n", info->name, value);
     }
     return text;

@@ -127,6 +127,9 @@ public:
     /// when the text is not a number or a choice (NaN is not a number), or when a string holds
     /// control characters or double quotes, which a configuration file could not hold, or more than
     /// cvar_max_bytes.
+    ///
+    /// pt_preset always says which preset (console/preset.h) the settings are: setting it sets them
+    /// all, and setting one of them may make it `custom`. `custom` itself changes nothing.
     void set(std::string_view name, std::string_view text);
 
     /// As set(), but what the configuration file keeps stays as it was: for the command line.
@@ -153,7 +156,8 @@ public:
     }
     std::uint64_t changes() const { return changes_; }
 
-    /// Lines `set NAME "VALUE"` for the archived variables that differ from their default.
+    /// Lines `set NAME "VALUE"` for the archived variables that differ from their default. Where
+    /// pt_preset's settings are those of a preset, its name stands for them.
     std::string archive_text() const;
 
 private:
@@ -167,7 +171,10 @@ private:
 
     static std::size_t row_of(const Member& member);
     static std::size_t row_of(std::string_view name);
+    bool store(std::size_t row, Value value);
     void assign(std::size_t row, Value value);
+    void assign_preset(int choice);
+    void keep(std::size_t row);
 
     CvarValues values_;
     std::vector<State> states_;

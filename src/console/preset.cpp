@@ -43,15 +43,16 @@ Preset make_preset(std::string_view name, std::string_view purpose,
 
 std::span<const Preset> presets() {
     static const std::vector<Preset> table = {
-        make_preset("paper", "as the paper has it: every departure from it is off",
+        make_preset("paper", "As in the paper: every departure from it is off.",
                     {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}}, true),
         make_preset(
-            "fast", "less time for a frame; noisy where only guided rays find the light",
+            "fast", "Less time for a frame. It is noisy where only guided rays find the light.",
             {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "4"}}),
-        make_preset("balanced", "the defaults: little noise everywhere, for one path a pixel",
+        make_preset("balanced",
+                    "The defaults. There is little noise anywhere, for one path a pixel.",
                     {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}}),
         make_preset(
-            "accurate", "the least noise; frames take several times as long",
+            "accurate", "The least noise. Frames take several times as long.",
             {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "4"}, {"pt_light_points", "16"}}),
     };
     return table;
@@ -62,13 +63,36 @@ const Preset* find_preset(std::string_view name) {
     return preset != presets().end() ? &*preset : nullptr;
 }
 
-const Preset* present_preset(const CvarRegistry& variables) {
+bool is_preset_setting(std::string_view variable) {
+    const std::vector<PresetSetting>& settings = presets().front().settings;
+    return std::ranges::find(settings, variable, &PresetSetting::variable) != settings.end();
+}
+
+const Preset* preset_with(const std::function<std::string(std::string_view variable)>& value_of) {
     for (const Preset& preset : presets())
         if (std::ranges::all_of(preset.settings, [&](const PresetSetting& setting) {
-                return variables.get_text(setting.variable) == setting.value;
+                return value_of(setting.variable) == setting.value;
             }))
             return &preset;
     return nullptr;
+}
+
+const Preset* present_preset(const CvarRegistry& variables) {
+    return preset_with([&](std::string_view name) { return variables.get_text(name); });
+}
+
+std::string_view preset_name_of(const CvarValues& values) {
+    const Preset* preset =
+        preset_with([&](std::string_view name) { return cvar_text(*find_cvar(name), values); });
+    return preset != nullptr ? preset->name : custom_preset;
+}
+
+std::string_view next_preset(const CvarRegistry& variables, int direction) {
+    const Preset* present = present_preset(variables);
+    const int count = static_cast<int>(presets().size());
+    const int now = present != nullptr ? static_cast<int>(present - presets().data())
+                                       : (direction > 0 ? -1 : 0);
+    return presets()[static_cast<std::size_t>((now + direction + count) % count)].name;
 }
 
 } // namespace vigil

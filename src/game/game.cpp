@@ -212,7 +212,7 @@ void Game::hurt_player(float damage) {
     if (health_ > 0.0f) return;
     health_ = full_health;
     ++deaths_;
-    log_info("you died; back to the start");
+    log_info("You died. Back to the start.");
     player_ = place_player(start_, collision_);
     place_player_at(player_.origin);
 }

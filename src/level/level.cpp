@@ -26,7 +26,7 @@ std::shared_ptr<const Level> load_level(const FileSystem& files, std::string_vie
     level->name = strip(name);
     const std::string path = fmt::format("{}{}{}", folder, level->name, extension);
     if (level->name.empty() || !files.exists(path)) {
-        fail("there is no level {}; `maps` lists those there are", path);
+        fail("there is no level {}. `maps` lists the levels.", path);
     }
     level->bsp = parse_bsp(path, files.read(path));
     level->pvs = Pvs(level->bsp);

@@ -51,7 +51,7 @@ std::unique_ptr<Window> open_window(std::string_view driver, const WindowOptions
             log_warning("{} cannot open a window: {}", system.name, error.what());
         }
     }
-    log_warning("no window: running headless (pictures are written by `screenshot`)");
+    log_warning("no window opens. The program runs headless, and `screenshot` writes pictures.");
     return nullptr;
 }
 

@@ -5,13 +5,11 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/output.h"
-#include "console/preset.h"
 #include "formats/sky.h"
 #include "level/level.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -339,16 +337,6 @@ std::string Module::times_json() const {
     for (const client::PassSum& sum : sums)
         if (const client::PassSummary pass = passes_.summarize(sum); pass.frames > 0) add(pass);
     return json.dump(2) + "\n";
-}
-
-void Module::choose_preset(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Preset& preset : presets())
-        names.push_back(preset.name);
-    const Preset* const preset = find_preset(name);
-    if (preset == nullptr) fail("pt_preset: one of {}", fmt::join(names, ", "));
-    for (const PresetSetting& setting : preset->settings)
-        variables_.set(setting.variable, setting.value);
 }
 
 } // namespace vigil::yamagi

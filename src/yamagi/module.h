@@ -54,7 +54,6 @@ public:
     void say_light_cache();
     void say_quadtree();
     void say_passes();
-    void choose_preset(std::string_view name);
 
     /// Tells what the log had from other threads.
     void tell_pending();

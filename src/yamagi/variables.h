@@ -7,6 +7,7 @@
 #include "console/cvar.h"
 #include "yamagi/engine.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,9 @@ public:
 
     /// Takes over what was set at the engine's console. A number out of range is brought into it,
     /// and a text that means nothing is put back; both are told. A choice that was given by its
-    /// number becomes its name.
+    /// number becomes its name. The other way, the engine sees what pt_preset sets, and what ends a
+    /// preset.
     void update();
-    /// The other way: sets a variable here and in the engine. Throws Error as CvarRegistry::set().
-    void set(std::string_view name, std::string_view text);
 
     const CvarValues& values() const { return registry_.values(); }
     const CvarRegistry& registry() const { return registry_; }
@@ -34,11 +34,15 @@ private:
         std::string text; // that both had last
         std::string name;
     };
+    static std::string text_of(const Row& row);
+    void begin_with_preset();
     void take(Row& row);
+    void show_changes();
 
     const Engine& engine_;
     CvarRegistry registry_;
     std::vector<Row> rows_;
+    std::uint64_t shown_changes_ = 0;
 };
 
 } // namespace vigil::yamagi

@@ -3,6 +3,7 @@
 #include "client/client.h"
 #include "client/ui/menu_items.h"
 #include "client/ui_screen.h"
+#include "common/sentence_fault.h"
 #include "console/builtin_commands.h"
 #include "console/preset.h"
 
@@ -18,7 +19,7 @@ using platform::Key;
 class MenuTest : public testing::Test {
 protected:
     MenuTest() {
-        for (const char* name : {"map", "demomap", "quit", "togglemenu", "pt_preset", "resolution"})
+        for (const char* name : {"map", "demomap", "quit", "togglemenu", "resolution"})
             commands_.add(name, "", [this, name](CommandArguments arguments) {
                 std::string line = name;
                 for (const std::string& word : arguments)
@@ -35,6 +36,13 @@ protected:
             press(Key::Down);
         ASSERT_EQ(chosen().label, label);
     }
+    /// From a page of the first page to another.
+    void go_to(std::string_view page) {
+        if (menu_.title() != "Vigil") press(Key::Escape);
+        choose(page);
+        press(Key::Enter);
+        ASSERT_EQ(menu_.title(), page);
+    }
     MenuRow chosen() const { return menu_.rows().at(menu_.chosen()); }
 
     CvarRegistry variables_;
@@ -46,8 +54,19 @@ protected:
 };
 
 TEST_F(MenuTest, EveryItemIsOfAVariableOrCommandThatExists) {
-    for (const MenuRow& row : menu_.rows())
-        EXPECT_FALSE(row.about.empty()) << row.label;
+    for (const MenuPage page : {MenuPage::Main, MenuPage::Video, MenuPage::Controls,
+                                MenuPage::Research, MenuPage::Quit}) {
+        const std::vector<MenuRow> rows = item_rows(page, variables_, {640, 360});
+        EXPECT_GE(rows.size(), 2u) << menu_page_title(page);
+        for (const MenuRow& row : rows) {
+            EXPECT_EQ(test::sentence_fault(row.about), "") << row.label << ": " << row.about;
+            EXPECT_LT(row.about.size(), 150u) << row.label; // three lines below the rows
+            if (row.more.empty()) continue;
+            // All that it offers is taken.
+            commands_.execute_text(row.more + "\n" + row.less);
+        }
+    }
+    EXPECT_EQ(commands_.failures(), 0);
     // Every action that a default key has by its own command.
     for (const MenuRow& action : key_rows(bindings_)) {
         bool bound = false;
@@ -58,9 +77,39 @@ TEST_F(MenuTest, EveryItemIsOfAVariableOrCommandThatExists) {
     }
 }
 
+TEST(Commands, HelpIsPlainEnglish) {
+    CvarRegistry variables;
+    CommandRegistry all(variables);
+    add_builtin_commands(all, {});
+    KeyBindings bindings;
+    add_binding_commands(all, bindings);
+    HeldButtons buttons;
+    buttons.add_commands(all);
+    for (const CommandGroup& group : command_groups())
+        for (const ClientCommand& command : group.commands)
+            all.add(command.name, command.help, [](CommandArguments) {});
+    for (const auto& [name, command] : all.commands()) {
+        const size_t colon = command.help.find(": ");
+        ASSERT_NE(colon, std::string::npos) << name;
+        EXPECT_EQ(test::sentence_fault(std::string_view(command.help).substr(colon + 2)), "")
+            << name << " " << command.help;
+    }
+    // What keys and the menu run is there.
+    const KeyBindings untouched;
+    for (int i = 0; i < platform::key_count; ++i) {
+        const std::string& line = untouched.command(static_cast<Key>(i));
+        if (!line.empty()) {
+            EXPECT_TRUE(all.commands().contains(line.substr(0, line.find(' ')))) << line;
+        }
+    }
+    for (const MenuRow& row : key_rows(untouched))
+        EXPECT_TRUE(all.commands().contains(row.command.substr(0, row.command.find(' '))))
+            << row.command;
+}
+
 TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
-    choose("Lights chosen by");
-    EXPECT_EQ(chosen().value, "vlc");
+    choose("Light sampling");
+    EXPECT_EQ(chosen().value, "light cache (vlc)");
     press(Key::Left);
     EXPECT_EQ(variables_.get_text("pt_nee"), "lh");
     press(Key::PadLeft, 2);
@@ -69,28 +118,40 @@ TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
     EXPECT_EQ(variables_.get_text("pt_nee"), "sll");
     EXPECT_EQ(chosen().about, technique_infos[0].help);
 
+    choose("Denoiser");
+    press(Key::Left);
+    EXPECT_EQ(variables_->flt_enable, 0);
+    EXPECT_EQ(chosen().value, "off");
+
+    go_to("Research");
     choose("Paths per pixel");
     press(Key::Left);
     EXPECT_EQ(variables_->pt_spp, 1);
     press(Key::Right, 3);
     EXPECT_EQ(variables_->pt_spp, 8);
+    choose("Compare with");
+    EXPECT_EQ(chosen().value, "off");
+    press(Key::Right);
+    EXPECT_EQ(chosen().value, "unfiltered (raw)");
+    press(Key::Right, 2);
+    EXPECT_EQ(chosen().value, "sll+cdq");
+    EXPECT_EQ(chosen().about, technique_infos[0].help);
 
+    go_to("Video");
     choose("Statistics");
     EXPECT_EQ(chosen().value, "off");
     press(Key::PadA);
     EXPECT_EQ(chosen().value, "groups");
     EXPECT_EQ(variables_->scr_stats, 1);
+    choose("Render scale");
+    press(Key::Left, 2);
+    EXPECT_EQ(chosen().value, "90 %");
+    choose("Frame rate goal");
+    EXPECT_EQ(chosen().value, "off");
+    press(Key::Right, 12);
+    EXPECT_EQ(chosen().value, "60 fps");
 
-    choose("Denoiser");
-    press(Key::Left);
-    EXPECT_EQ(variables_->flt_enable, 0);
-
-    choose("Compare with");
-    press(Key::Right);
-    EXPECT_EQ(chosen().value, "raw");
-    press(Key::Right, 2);
-    EXPECT_EQ(chosen().value, "sll+cdq");
-
+    go_to("Controls");
     choose("Mouse speed");
     press(Key::Right);
     EXPECT_EQ(variables_->sensitivity, 3.5f);
@@ -98,37 +159,38 @@ TEST_F(MenuTest, ChoicesGoRoundAndNumbersEnd) {
 }
 
 TEST_F(MenuTest, StepsThroughPresetsAndResolutions) {
-    choose("Quality");
-    EXPECT_EQ(chosen().value, "balanced");
-    press(Key::Right);
+    go_to("Video");
     choose("Resolution");
     EXPECT_EQ(chosen().value, "640 x 360");
     press(Key::Right);
     press(Key::Left);
-    EXPECT_EQ(ran_, (std::vector<std::string>{"pt_preset accurate", "resolution 854 480",
-                                              "resolution 480 270"}));
+    EXPECT_EQ(ran_, (std::vector<std::string>{"resolution 854 480", "resolution 480 270"}));
     const auto size_row = [&](glm::ivec2 size) {
-        const std::vector<MenuRow> rows = main_rows(variables_, size);
+        const std::vector<MenuRow> rows = item_rows(MenuPage::Video, variables_, size);
         return *std::ranges::find(rows, "Resolution", &MenuRow::label);
     };
     EXPECT_EQ(size_row({320, 180}).less, "resolution 320 180");
     EXPECT_EQ(size_row({1000, 700}).less, "resolution 960 540");
     EXPECT_EQ(size_row({1000, 700}).more, "resolution 1280 720");
     EXPECT_EQ(size_row({3840, 2160}).more, "resolution 3840 2160");
+    press(Key::Escape);
     choose("Quality");
-    press(Key::Left, 2); // nothing was set: still from the defaults
-    EXPECT_EQ(ran_.back(), "pt_preset fast");
-    for (const PresetSetting& setting : find_preset("paper")->settings)
-        variables_.set(setting.variable, setting.value);
-    EXPECT_EQ(chosen().value, "paper");
-    press(Key::Left); // round to the last
-    EXPECT_EQ(ran_.back(), "pt_preset accurate");
-    variables_.set("pt_spp", "3"); // of one's own
-    EXPECT_EQ(chosen().value, "own");
+    EXPECT_EQ(chosen().value, "balanced");
     press(Key::Right);
-    EXPECT_EQ(ran_.back(), "pt_preset paper");
+    EXPECT_EQ(variables_->pt_spp, 4);
+    EXPECT_EQ(chosen().value, "accurate");
+    press(Key::Right); // round to the first
+    EXPECT_EQ(chosen().value, "as in the paper");
+    EXPECT_EQ(chosen().about, find_preset("paper")->purpose);
+    press(Key::Left, 3);
+    EXPECT_EQ(variables_.get_text("pt_preset"), "fast");
+    variables_.set("pt_spp", "3"); // of one's own
+    EXPECT_EQ(chosen().value, "custom");
+    press(Key::Right);
+    EXPECT_EQ(chosen().value, "as in the paper");
+    variables_.set("pt_spp", "3");
     press(Key::Left);
-    EXPECT_EQ(ran_.back(), "pt_preset accurate");
+    EXPECT_EQ(chosen().value, "accurate");
 }
 
 TEST_F(MenuTest, LevelsAreLoadedAndDemosMayBeMissing) {
@@ -162,7 +224,32 @@ TEST_F(MenuTest, CommandsRunAfterItHasClosed) {
     EXPECT_FALSE(menu_.is_open());
 }
 
+TEST_F(MenuTest, QuittingByAKeyIsAskedFor) {
+    menu_.close();
+    menu_.open(MenuPage::Quit);
+    EXPECT_EQ(menu_.title(), "Quit Vigil?");
+    press(Key::Escape);
+    EXPECT_FALSE(menu_.is_open());
+    for (const Key no : {Key::N, Key::Down}) { // "Go on"
+        menu_.open(MenuPage::Quit);
+        press(no);
+        if (no == Key::Down) press(Key::Enter);
+        EXPECT_FALSE(menu_.is_open());
+    }
+    EXPECT_TRUE(ran_.empty());
+    for (const Key yes : {Key::Y, Key::Enter}) {
+        menu_.open(MenuPage::Quit);
+        press(yes);
+        EXPECT_FALSE(menu_.is_open());
+    }
+    EXPECT_EQ(ran_, (std::vector<std::string>{"quit", "quit"}));
+    menu_.open();
+    press(Key::Y); // elsewhere it is no answer
+    EXPECT_TRUE(menu_.is_open());
+}
+
 TEST_F(MenuTest, KeysAreGivenAndTaken) {
+    go_to("Controls");
     choose("Keys");
     press(Key::Enter);
     choose("Jump, up");
@@ -199,7 +286,7 @@ TEST_F(MenuTest, TheMousePointsAndClicks) {
     screen_.point({320.0f, 180.0f}); // where it appears
     screen_.draw(0.1);
     EXPECT_EQ(menu_.chosen(), 0u);
-    choose_by_mouse("Rays guided by");
+    choose_by_mouse("Path guiding");
     press(Key::Mouse1);
     EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
     const size_t guide = menu_.chosen();
@@ -208,18 +295,20 @@ TEST_F(MenuTest, TheMousePointsAndClicks) {
     EXPECT_EQ(menu_.chosen(), guide);
     press(Key::Mouse1);
     EXPECT_EQ(variables_.get_text("pt_guide"), "lobe");
-    choose_by_mouse("Paths per pixel");
+    choose_by_mouse("Denoiser");
     EXPECT_EQ(menu_.chosen(), guide + 1);
     press(Key::Mouse2);
     EXPECT_FALSE(menu_.is_open());
     // A click chooses what it hits, also where the mouse has not moved.
     menu_.open();
-    choose_by_mouse("Rays guided by");
+    choose_by_mouse("Path guiding");
     press(Key::Home);
     press(Key::Mouse1);
     EXPECT_EQ(menu_.chosen(), guide);
     EXPECT_EQ(variables_.get_text("pt_guide"), "brdf");
     // A page is opened by a click; what lies under the mouse then is not chosen by itself.
+    choose_by_mouse("Controls");
+    press(Key::Mouse1);
     choose_by_mouse("Keys");
     press(Key::Mouse1);
     EXPECT_EQ(menu_.title(), "Keys");

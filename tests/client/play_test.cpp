@@ -75,6 +75,25 @@ TEST_F(PlayTest, WalksEndInTheSamePlaceAtEveryFrameRate) {
     EXPECT_GT(glm::distance(*eye, find_start(session_.level()->bsp).origin), 300.0f);
 }
 
+TEST_F(PlayTest, KillBringsThePlayerBackAndTheLevelGoesOn) {
+    Play play(session_);
+    FlightInput keys;
+    keys.forward = 1.0f;
+    for (int i = 0; i < 60; ++i)
+        play.frame(keys, 1.0 / 60.0, false, session_);
+    const StartPlace start = find_start(session_.level()->bsp);
+    EXPECT_GT(glm::distance(session_.camera().origin(), start.origin), 50.0f);
+    session_.camera().set(session_.camera().origin(), {10.0f, 20.0f, 0.0f});
+    const int64_t ticks = play.game().ticks();
+    play.kill(session_);
+    EXPECT_EQ(play.game().deaths(), 1);
+    EXPECT_EQ(play.game().health(), Game::full_health);
+    EXPECT_EQ(play.game().ticks(), ticks);
+    EXPECT_LT(glm::distance(session_.camera().origin(), start.origin), 30.0f);
+    EXPECT_EQ(session_.camera().angles(), start.angles);
+    Play::clear(session_);
+}
+
 TEST_F(PlayTest, RecordedKeysGiveTheSameWalk) {
     FlightInput keys;
     keys.forward = 1.0f;

@@ -90,6 +90,103 @@ TEST_F(ProgramTest, CommandsRunInTheOrderGiven) {
     EXPECT_LT(output_.find("spp 3"), output_.find("now 1"));
 }
 
+TEST_F(ProgramTest, WhatPlayersOfQuakeTypeWorks) {
+    game_.write("data/baseq2/next.cfg", "gamemap \"*tiny$there\"\n");
+    EXPECT_EQ(run("+map tiny +setviewpos 1 2 3 40 50 0 +centerview +viewpos +echo dumped +condump "
+                  "+condump notes/a.txt +exec next.cfg +wait 1"),
+              0);
+    EXPECT_NE(output_.find("setviewpos 1.00 2.00 3.00 0.00 50.00 0.00"), std::string::npos);
+    EXPECT_NE(game_.read("out/condump.txt").find("\ndumped\n"), std::string::npos);
+    EXPECT_NE(game_.read("out/notes/a.txt").find("wrote "), std::string::npos);
+    EXPECT_EQ(render_.count("map tiny"), 2u);
+    EXPECT_NE(output_.find("its own start, not at there"), std::string::npos);
+    EXPECT_EQ(run("+map tiny +condump ../out"), 1);
+    EXPECT_EQ(run("+gamemap nowhere"), 1);
+    EXPECT_EQ(run("+kill"), 1);           // no level
+    EXPECT_EQ(run("+map tiny +kill"), 1); // nobody walks
+    EXPECT_NE(errors_.find("kill: nobody walks"), std::string::npos);
+    EXPECT_EQ(run("+map tiny +noclip +noclip +kill"), 1); // flies
+    output_.clear();
+    EXPECT_EQ(run("+map tiny +noclip +wait 2 +kill +wait 2 +viewpos"), 0);
+    EXPECT_NE(output_.find("Back to the start"), std::string::npos);
+}
+
+TEST_F(ProgramTest, VidRestartMakesTheRendererAnew) {
+    int made = 0;
+    std::vector<std::string> devices;
+    const auto start = [&](const std::string& text, int failing) {
+        made = 0;
+        devices.clear();
+        return run_program_on(
+            game_.basedir(), text,
+            [&](FileSystem&, refresh::SurfaceProvider*,
+                const refresh::Settings& settings) -> std::unique_ptr<refresh::Renderer> {
+                devices.push_back(settings.vk_device);
+                if (++made == failing) fail("no such device");
+                return std::make_unique<FakeRenderer>(render_);
+            });
+    };
+    EXPECT_EQ(start("+map tiny +lightstyle 0 0.5 +wait 2 +setviewpos 1 2 3 +vid_restart "
+                    "+screenshot a +wait 1 +vid_restart +vid_restart +echo end",
+                    0),
+              0)
+        << errors_;
+    EXPECT_EQ(made, 4);
+    EXPECT_EQ(render_.count("map tiny"), 4u); // the level goes on in it
+    EXPECT_EQ(render_.models.size(), 2u * 3 + 1);
+    EXPECT_EQ(render_.views.back().origin, glm::vec3(1, 2, 3));
+    EXPECT_EQ(render_.style_0.back(), 0.5f);
+    EXPECT_EQ(render_.entities.at(0).model, static_cast<int>(render_.models.size()) - 1);
+    EXPECT_LT(output_.find("are new: a fake device"), output_.find("a.png"));
+    EXPECT_NE(output_.find("end\n"), std::string::npos);
+    // Before a level, and in the midst of a flight, which ends.
+    EXPECT_EQ(start("+vid_restart +map tiny +wait 1", 0), 0);
+    EXPECT_EQ(made, 2);
+    // A device that is not there: as it was.
+    game_.write("data/baseq2/other.cfg", "set vk_device two\n");
+    EXPECT_EQ(start("+set vk_device one +map tiny +wait 1 +exec other.cfg +vid_restart +wait 1 "
+                    "+screenshot b +echo on $vk_device",
+                    2),
+              0);
+    EXPECT_EQ(devices, (std::vector<std::string>{"one", "two", "one"}));
+    EXPECT_NE(output_.find("on one"), std::string::npos);
+    EXPECT_NE(output_.find("vk_device takes effect with vid_restart"), std::string::npos);
+    EXPECT_NE(errors_.find("vid_restart: no such device"), std::string::npos);
+    EXPECT_TRUE(game_.exists("out/b.png"));
+}
+
+TEST_F(ProgramTest, NamesOfQuakeIIRtxWork) {
+    EXPECT_EQ(run("+set pt_num_bounce_rays 0.5 +set tm_exposure_bias -1 +map tiny "
+                  "+sun_brightness 20 +seta profiler 1 +set tm_debug 1 +tm_knee_start 0.5 "
+                  "+screenshotpng x +echo got $pt_bounces $pt_exposure_bias $pt_sun_scale "
+                  "$scr_stats"),
+              0)
+        << errors_;
+    EXPECT_NE(output_.find("got 1 -1 2 passes"), std::string::npos) << output_;
+    EXPECT_NE(output_.find("tm_debug of Quake II RTX has no counterpart here."), std::string::npos);
+    EXPECT_TRUE(game_.exists("out/x.png"));
+    EXPECT_EQ(run("+set sun_brightness bright"), 1);
+}
+
+TEST_F(ProgramTest, ThePresetIsAVariableLikeOthers) {
+    EXPECT_EQ(run("+set pt_preset fast +map tiny +echo a $pt_guide $pt_light_points "
+                  "+pt_preset accurate +echo b $pt_spp $pt_preset +pt_spp 3 +echo c $pt_preset "
+                  "+toggle pt_preset +echo d $pt_preset +toggle pt_preset paper fast "
+                  "+pt_preset custom +echo e $pt_preset +reset pt_preset +echo f $pt_spp +presets"),
+              0);
+    for (const std::string_view text :
+         {"a brdf 4\n", "b 4 accurate\n", "c custom\n", "d paper\n", "e fast\n", "f 1\n",
+          "stays \"fast\"", "* balanced", "  accurate"})
+        EXPECT_NE(output_.find(text), std::string::npos) << text;
+    // Of two +set the last one wins, whatever it is about.
+    EXPECT_EQ(run("+set pt_preset accurate +set pt_spp 2 +echo g $pt_preset $pt_light_points"), 0);
+    EXPECT_NE(output_.find("g custom 16\n"), std::string::npos);
+    EXPECT_EQ(run("+set pt_spp 2 +set pt_preset accurate +echo h $pt_preset $pt_spp"), 0);
+    EXPECT_NE(output_.find("h accurate 4\n"), std::string::npos);
+    EXPECT_EQ(run("+pt_preset theirs"), 1);
+    EXPECT_NE(errors_.find("pt_preset: \"theirs\" is none of paper|fast"), std::string::npos);
+}
+
 TEST_F(ProgramTest, TheGamesAutoexecRunsBeforeTheCommandLine) {
     game_.write("data/baseq2/autoexec.cfg", "set pt_spp 7\nset pt_bounces 0\nno_such_thing\n");
     EXPECT_EQ(run("+set pt_bounces 1 +echo $pt_spp $pt_bounces"), 0); // its faults are not ours
@@ -358,7 +455,8 @@ TEST_F(ProgramTest, WalksThroughTheViews) {
     const int count = choice_count(view_choices);
     std::string walk = "+map tiny +view zero +viewnext +echo at $pt_view +viewprev +viewprev";
     EXPECT_EQ(run(walk + " +echo at $pt_view +view none +viewprev +echo at $pt_view"), 0);
-    EXPECT_NE(output_.find("view zero: light samples that contributed nothing"), std::string::npos);
+    EXPECT_NE(output_.find("view zero: Light samples that contributed nothing."),
+              std::string::npos);
     EXPECT_NE(output_.find("at nonfinite\n"), std::string::npos);
     EXPECT_NE(output_.find("at technique\n"), std::string::npos);
     EXPECT_NE(output_.find("at light\n"), std::string::npos); // the last: round and round

@@ -36,7 +36,7 @@ TEST(ReportText, Scene) {
         "  sun             off  no sky faces\n"
         "  scene memory    3.0 MiB\n"
         "  ray tracing     our BVH in compute\n"
-        "  light sampling  uniform: every light of the level with equal probability; a baseline\n"
+        "  light sampling  uniform: Every light of the level with equal probability. A baseline.\n"
         "  guiding         off");
 }
 
@@ -59,16 +59,17 @@ TEST(ReportText, SceneWithAllThatMayBeSaid) {
          {"  scene memory    3.0 MiB, 1.0 MiB of it for ray queries\n",
           "  filter memory   1.5 MiB\n", "  2 missing textures: a/b c\n",
           "  ray tracing     VK_KHR_ray_query\n", "  compared with   vlc+cdq\n",
-          "  guiding         octree of 57 leaves, depth 3; 20 caches; 2.5 MiB\n"})
+          "  guiding         octree of 57 leaves, depth 3, 20 caches, 2.5 MiB\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
     EXPECT_TRUE(
-        text.ends_with("\n  7 radiance values were not finite: pt_view nonfinite shows where"));
+        text.ends_with("\n  7 radiance values were not finite. pt_view nonfinite shows where."));
 }
 
 TEST(ReportText, Guiding) {
     refresh::GuidingReport guiding;
     guiding.technique = Technique::lh;
-    EXPECT_EQ(guiding_text(guiding), "guiding was off in the last frame: pt_nee lh learns nothing");
+    EXPECT_EQ(guiding_text(guiding),
+              "Guiding was off in the last frame. pt_nee lh learns nothing.");
     guiding.on = true;
     guiding.memory = {{"octree nodes, twice", 1 << 20}, {"light samples", 4 << 20}};
     guiding.bytes = 5 << 20;
@@ -120,7 +121,7 @@ TEST(ReportText, LightCache) {
     EXPECT_EQ(light_cache_text(report),
               std::string(leaf_lines) +
                   "  cache           5 lights in 2 buckets\n"
-                  "  25% of samples would pay off looking for other lights\n"
+                  "  25% of samples gain from a search for other lights\n"
                   "  bucket 0: 4 lights\n"
                   "    light 3      power 20         static world\n"
                   "    light 40     power 10.5       entity 5\n"
@@ -139,12 +140,11 @@ TEST(ReportText, LightCache) {
                   "its light cache is that of where it was a frame ago:\nleaf 13: path 1.4"),
               std::string::npos);
     report.position.reset();
-    EXPECT_EQ(
-        light_cache_text(report),
-        "nothing under the crosshair that light could fall on (sky, or the inside of a wall)");
+    EXPECT_EQ(light_cache_text(report),
+              "There is no surface under the crosshair: sky, or the inside of a wall.");
     report.on = false;
     EXPECT_EQ(light_cache_text(report),
-              "guiding was off in the last frame: pt_nee sll learns nothing");
+              "Guiding was off in the last frame. pt_nee sll learns nothing.");
 }
 
 TEST(ReportText, Quadtree) {
@@ -165,12 +165,11 @@ TEST(ReportText, Quadtree) {
         quadtree_text(report).find("its quadtree is that of leaf 13, where it was a frame ago:\n"),
         std::string::npos);
     report.position.reset();
-    EXPECT_EQ(
-        quadtree_text(report),
-        "nothing under the crosshair that light could fall on (sky, or the inside of a wall)");
+    EXPECT_EQ(quadtree_text(report),
+              "There is no surface under the crosshair: sky, or the inside of a wall.");
     report.quadtrees = false;
     EXPECT_EQ(quadtree_text(report),
-              "no quadtrees of directions guided rays in the last frame: pt_guide cdq makes them");
+              "No quadtrees guided rays in the last frame. pt_guide cdq makes them.");
 }
 
 } // namespace

@@ -152,8 +152,8 @@ TEST_F(Steering, AWindowThatIsClosedWhileShadersAreCompiledEnds) {
 
 TEST_F(Steering, TheRightButtonDragsTheLine) {
     float at[3];
-    play({{2, down(Key::F10)},
-          {2, up(Key::F10)},
+    play({{2, down(Key::X)},
+          {2, up(Key::X)},
           {4, down(Key::Mouse2)},
           {5, MouseMoveEvent{{}, {100.0f, 40.0f}}}, // a fifth of the width
           {8, up(Key::Mouse2)},

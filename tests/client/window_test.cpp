@@ -262,12 +262,12 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     ASSERT_TRUE(answered("pt_nee \"power\""));
     press("g");
     ASSERT_TRUE(answered("pt_guide \"brdf\""));
-    press("F10");
+    press("x");
     ASSERT_TRUE(answered("power | sll"));
     press("bracketleft bracketleft");
     type("pt_compare_at");
     ASSERT_TRUE(answered("\"0.4\""));
-    press("F10 Tab");
+    press("x Tab");
     ASSERT_TRUE(answered("scr_stats \"groups\""));
 
     // The window changes its size, fills the screen, and comes back.
@@ -284,6 +284,20 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     ASSERT_TRUE(answered("wrote "));
     EXPECT_TRUE(std::filesystem::exists(path("out") + "/vigil0000.png"));
 
+    // Another window and renderer; the level and its player stay.
+    press("F2");
+    ASSERT_TRUE(answered("setviewpos"));
+    const std::string before = answer_;
+    type("vid_restart");
+    ASSERT_TRUE(answered("window and renderer are new"));
+    ASSERT_TRUE(asked("F2", "setviewpos"));
+    EXPECT_EQ(answer_, before);
+    ASSERT_TRUE(asked("F6", "the picture has "));
+
+    // Whoever presses F10 is asked.
+    press("F10 n");
+    ASSERT_TRUE(asked("F7", "listening"));
+
     // Closed by its button.
     screen_->close();
     ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
@@ -292,7 +306,10 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     EXPECT_EQ(all.find("alidation"), std::string::npos) << all;
     EXPECT_EQ(all.find("rror"), std::string::npos) << all;
     // What was changed is kept.
-    EXPECT_NE(text_of(path("config/vigil/config.cfg")).find("scr_stats"), std::string::npos);
+    const std::string kept = text_of(path("config/vigil/config.cfg"));
+    EXPECT_NE(kept.find("scr_stats"), std::string::npos) << kept;
+    EXPECT_NE(kept.find("set pt_nee \"power\""), std::string::npos) << kept;
+    EXPECT_NE(kept.find("set pt_preset \"custom\""), std::string::npos) << kept;
 }
 
 TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {
@@ -306,7 +323,7 @@ TEST_P(WindowTest, ClosedInMidBenchmarkItKeepsWhatIsFinished) {
     ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
     const std::string all = text_of(log_);
     EXPECT_EQ(program_->wait(), 1) << all;
-    EXPECT_NE(all.find("reported is what was finished"), std::string::npos) << all;
+    EXPECT_NE(all.find("the report has what was finished"), std::string::npos) << all;
     EXPECT_NE(all.find("config.cfg: not a regular file"), std::string::npos) << all;
     EXPECT_NE(all.find("config.cfg: cannot replace: Is a directory"), std::string::npos) << all;
     const auto report = nlohmann::json::parse(text_of(path("out/demo.json")), nullptr, false);

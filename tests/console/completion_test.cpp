@@ -63,7 +63,7 @@ TEST_F(CompletionTest, OpenQuotesHoldTheWord) {
 TEST_F(CompletionTest, VariablesOfferTheirChoices) {
     EXPECT_EQ(commands.complete("pt_tonemap ").candidates, (Words{"filmic", "none", "reinhard"}));
     EXPECT_EQ(commands.complete("set pt_nee p").candidates, Words{"power"});
-    EXPECT_EQ(commands.complete("toggle pt_n").candidates, Words{"pt_nee"});
+    EXPECT_EQ(commands.complete("toggle pt_ne").candidates, Words{"pt_nee"});
     EXPECT_TRUE(commands.complete("pt_nee sll p").candidates.empty());
     EXPECT_TRUE(commands.complete("pt_spp ").candidates.empty());
 }

@@ -4,6 +4,9 @@
 
 #include "common/error.h"
 #include "common/scratch_folder.h"
+#include "common/sentence_fault.h"
+#include "console/builtin_commands.h"
+#include "console/preset.h"
 
 #include <cmath>
 #include <limits>
@@ -137,15 +140,15 @@ TEST(Cvar, TypedSetFollowsTheSameRules) {
 
 TEST(Cvar, CountsChangesOnlyWhenTheValueBecomesAnother) {
     CvarRegistry registry;
-    registry.set("pt_spp", "4");
-    registry.set("pt_spp", "4");
+    registry.set("pt_seed", "4");
+    registry.set("pt_seed", "4");
     registry.set("fov", "100");
-    EXPECT_EQ(registry.changes("pt_spp"), 1u);
+    EXPECT_EQ(registry.changes("pt_seed"), 1u);
     EXPECT_EQ(registry.changes(&CvarValues::fov), 1u);
     EXPECT_EQ(registry.changes(), 2u);
-    registry.reset("pt_spp");
-    EXPECT_EQ(registry.changes("pt_spp"), 2u);
-    EXPECT_EQ(registry->pt_spp, 1);
+    registry.reset("pt_seed");
+    EXPECT_EQ(registry.changes("pt_seed"), 2u);
+    EXPECT_EQ(registry->pt_seed, 0);
 }
 
 TEST(Cvar, UnknownNamesAreErrors) {
@@ -159,7 +162,7 @@ TEST(Cvar, UnknownNamesAreErrors) {
 TEST(Cvar, ArchiveHoldsWhatAPersonChangedAndNotTheCommandLine) {
     CvarRegistry registry;
     registry.set("fov", "110");
-    registry.set("pt_spp", "8"); // lasts for the session only
+    registry.set("pt_seed", "8"); // lasts for the session only
     registry.set_for_this_run("vid_width", "64");
     registry.set("vid_height", "480");
     registry.set_for_this_run("vid_height", "32");
@@ -169,6 +172,104 @@ TEST(Cvar, ArchiveHoldsWhatAPersonChangedAndNotTheCommandLine) {
     registry.set("vid_width", "128");
     registry.reset("fov");
     EXPECT_EQ(registry.archive_text(), "set vid_height \"480\"\nset vid_width \"128\"\n");
+}
+
+TEST(Cvar, ThePresetSetsItsVariablesAndFollowsThem) {
+    ASSERT_EQ(std::size(presets()) + 1, choice_names(*find_cvar("pt_preset")).size());
+    for (std::size_t i = 0; i < presets().size(); ++i)
+        EXPECT_EQ(choice_names(*find_cvar("pt_preset"))[i], presets()[i].name);
+    EXPECT_EQ(choice_names(*find_cvar("pt_preset")).back(), custom_preset);
+    for (const PresetSetting& setting : presets()[0].settings)
+        EXPECT_EQ(find_cvar(setting.variable)->life, CvarLife::Archived) << setting.variable;
+
+    CvarRegistry registry;
+    for (const Preset& preset : presets()) {
+        registry.set("pt_preset", preset.name);
+        EXPECT_EQ(registry.get_text("pt_preset"), preset.name);
+        for (const PresetSetting& setting : preset.settings)
+            EXPECT_EQ(registry.get_text(setting.variable), setting.value) << preset.name;
+    }
+    registry.set("pt_preset", "fast");
+    registry.set("pt_light_points", "5");
+    EXPECT_EQ(registry.get_text("pt_preset"), "custom");
+    registry.set("pt_preset", "custom"); // changes nothing
+    EXPECT_EQ(registry->pt_light_points, 5);
+    EXPECT_EQ(registry.get_text("pt_guide"), "brdf");
+    registry.set("pt_light_points", "4");
+    EXPECT_EQ(registry.get_text("pt_preset"), "fast");
+    registry.set("pt_seed", "3"); // none of its settings
+    EXPECT_EQ(registry.get_text("pt_preset"), "fast");
+    registry.set("pt_preset", "custom");
+    EXPECT_EQ(registry.get_text("pt_preset"), "fast");
+    registry.reset("pt_preset");
+    EXPECT_EQ(registry->pt_light_points, 8);
+    EXPECT_EQ(registry.get_text("pt_preset"), "balanced");
+    registry.set(&CvarValues::pt_preset, cvar_choice("pt_preset", "paper"));
+    EXPECT_EQ(registry->pt_env_nee, 0);
+    registry.reset("pt_env_nee");
+    EXPECT_EQ(registry.get_text("pt_preset"), "custom");
+}
+
+// What the configuration file keeps brings the same state back, and a preset is one line of it.
+TEST(Cvar, QualitySurvivesQuitting) {
+    const std::string rest = "set vid_width \"800\"\n";
+    struct Case {
+        std::vector<std::pair<std::string, std::string>> set, set_for_this_run;
+        std::string kept, preset;
+    };
+    const Case cases[] = {
+        {{}, {}, "", "balanced"},
+        {{{"pt_preset", "fast"}}, {}, "set pt_preset \"fast\"\n", "fast"},
+        {{{"pt_guide", "brdf"}, {"pt_light_points", "4"}}, {}, "set pt_preset \"fast\"\n", "fast"},
+        {{{"pt_preset", "fast"}, {"pt_spp", "2"}},
+         {},
+         "set pt_guide \"brdf\"\nset pt_light_points \"4\"\nset pt_preset \"custom\"\n"
+         "set pt_spp \"2\"\n",
+         "custom"},
+        {{{"pt_preset", "fast"}, {"pt_preset", "balanced"}}, {}, "", "balanced"},
+        {{{"pt_preset", "paper"}, {"pt_env_nee", "1"}, {"pt_env_nee", "0"}},
+         {},
+         "set pt_preset \"paper\"\n",
+         "paper"},
+        // The command line's are not kept, whatever they make of the preset.
+        {{{"pt_preset", "fast"}}, {{"pt_spp", "3"}}, "set pt_preset \"fast\"\n", "fast"},
+        {{{"pt_preset", "fast"}}, {{"pt_preset", "paper"}}, "set pt_preset \"fast\"\n", "fast"},
+        {{}, {{"pt_preset", "accurate"}}, "", "balanced"},
+    };
+    for (const Case& one : cases) {
+        CvarRegistry registry;
+        for (const auto& [name, value] : one.set)
+            registry.set(name, value);
+        for (const auto& [name, value] : one.set_for_this_run)
+            registry.set_for_this_run(name, value);
+        registry.set("vid_width", "800");
+        EXPECT_EQ(registry.archive_text(), one.kept + rest);
+
+        CvarRegistry next; // the next start
+        CommandRegistry commands(next);
+        add_builtin_commands(commands, {});
+        commands.execute_text(registry.archive_text());
+        EXPECT_EQ(commands.failures(), 0);
+        EXPECT_EQ(next.get_text("pt_preset"), one.preset) << one.kept;
+        EXPECT_EQ(next.archive_text(), registry.archive_text());
+        if (!one.set_for_this_run.empty()) continue;
+        for (const CvarInfo& info : cvar_infos)
+            EXPECT_EQ(next.get_text(info.name), registry.get_text(info.name)) << info.name;
+    }
+}
+
+// Sentences of at most 25 words, each with a capital letter or a value in front.
+TEST(Cvar, HelpIsPlainEnglish) {
+    for (const CvarInfo& info : cvar_infos)
+        EXPECT_EQ(test::sentence_fault(info.help), "") << info.name << ": " << info.help;
+    for (const TechniqueInfo& info : technique_infos)
+        EXPECT_EQ(test::sentence_fault(info.help), "") << info.name;
+    for (const GuiderInfo& info : guider_infos)
+        EXPECT_EQ(test::sentence_fault(info.help), "") << info.name;
+    for (const ViewInfo& info : view_infos)
+        EXPECT_EQ(test::sentence_fault(info.help), "") << info.name;
+    for (const Preset& preset : presets())
+        EXPECT_EQ(test::sentence_fault(preset.purpose), "") << preset.name;
 }
 
 TEST(Cvar, GpuValuesFollow) {
@@ -183,7 +284,7 @@ TEST(Cvar, GpuValuesFollow) {
 
 TEST(Cvar, RadianceDependsOnWhatTheTableSays) {
     for (const CvarInfo& info : cvar_infos) {
-        if (info.type == CvarType::String) continue;
+        if (info.type == CvarType::String || info.name == "pt_preset") continue;
         CvarRegistry registry;
         const refresh::Settings before = registry.values();
         registry.set(info.name, "1");

@@ -307,7 +307,7 @@ TEST_F(Faults, ALostDeviceLeavesTheRepetitionsThatAreFinished) {
     const Outcome outcome = outcome_of(*program);
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     EXPECT_NE(outcome.text.find("device was lost"), std::string::npos) << outcome.text;
-    EXPECT_NE(outcome.text.find("reported is what was finished"), std::string::npos)
+    EXPECT_NE(outcome.text.find("the report has what was finished"), std::string::npos)
         << outcome.text;
     const nlohmann::json report = report_of("demo.json");
     const std::size_t finished = report.value("repetitions", nlohmann::json::array()).size();

@@ -21,8 +21,11 @@ struct Most {
     std::string_view variable;
     double value;
 };
-constexpr Most most[] = {
-    {"pt_spp", 2}, {"pt_light_points", 16}, {"pt_subdivide", 1}, {"testlights", 64}};
+constexpr Most most[] = {{"pt_spp", 2},
+                         {"pt_light_points", 16},
+                         {"pt_subdivide", 1},
+                         {"testlights", 64},
+                         {"pt_preset", 2}};
 
 constexpr std::string_view keys[] = {"forward", "back",     "moveleft", "moveright",
                                      "moveup",  "movedown", "speed",    "left",

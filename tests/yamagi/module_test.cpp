@@ -339,11 +339,72 @@ TEST_F(ModuleTest, VariablesFollowBothWays) {
     EXPECT_EQ(host().text("pt_nee"), "lh");
     EXPECT_EQ(host().text("pt_exposure_bias"), "16");
     EXPECT_EQ(host().lines.size(), before + 2) << "one message each";
-    host().run({"pt_preset", "fast"});
+}
+
+TEST_F(ModuleTest, PresetsSetTheirVariablesAndThoseEndPresets) {
+    start();
+    ASSERT_EQ(module().init(), 1);
+    const auto next_frame = [&] { host().frame([](const ModuleFunctions&) {}); };
+    EXPECT_EQ(host().text("pt_preset"), "custom") << "the tests' own settings";
+    host().set("pt_preset", "fast");
+    next_frame();
     EXPECT_EQ(host().text("pt_nee"), "vlc");
     EXPECT_EQ(host().text("pt_light_points"), "4");
-    host().run({"pt_preset", "none"});
-    EXPECT_EQ(host().count("pt_preset: one of paper, fast"), 1);
+    host().set("pt_preset", "none");
+    next_frame();
+    EXPECT_EQ(host().text("pt_preset"), "fast");
+    EXPECT_EQ(host().count("pt_preset: \"none\" is none of paper|fast"), 1);
+    host().set("pt_light_points", "16");
+    next_frame();
+    EXPECT_EQ(host().text("pt_preset"), "custom");
+    host().set("pt_preset", "accurate");
+    host().set("pt_spp", "2"); // both in one frame: the one that says more
+    next_frame();
+    EXPECT_EQ(host().text("pt_spp"), "2");
+    EXPECT_EQ(host().text("pt_guide"), "cdq");
+    EXPECT_EQ(host().text("pt_preset"), "custom");
+    host().set("pt_spp", "4");
+    next_frame();
+    EXPECT_EQ(host().text("pt_preset"), "accurate");
+}
+
+TEST_F(ModuleTest, PresetsComeBackAtTheNextStart) {
+    // What the engine's configuration and command line have set before the module is there.
+    struct Start {
+        std::vector<std::pair<std::string, std::string>> set;
+        std::string preset, spp, points;
+    };
+    const std::vector<std::pair<std::string, std::string>> accurate = {
+        {"pt_nee", "vlc"},         {"pt_guide", "cdq"},       {"vigil_preset_kept", "accurate"},
+        {"pt_light_points", "16"}, {"pt_preset", "accurate"}, {"pt_spp", "4"}};
+    std::vector<std::pair<std::string, std::string>> custom = accurate;
+    custom[2].second = custom[4].second = "custom";
+    custom[5].second = "7";
+    const auto with = [](auto all, const std::string& name, const std::string& value) {
+        all.emplace_back(name, value);
+        return all;
+    };
+    const Start starts[] = {
+        {accurate, "accurate", "4", "16"},
+        {with(accurate, "pt_preset", "fast"), "fast", "1", "4"},
+        {with(accurate, "pt_spp", "2"), "custom", "2", "16"},
+        {with(accurate, "pt_light_points", "8"), "custom", "4", "8"}, // the default
+        {with(with(accurate, "pt_preset", "fast"), "pt_spp", "2"), "custom", "2", "4"},
+        {custom, "custom", "7", "16"},
+        {with(custom, "pt_spp", "9"), "custom", "9", "16"},
+        {with(custom, "pt_preset", "fast"), "fast", "1", "4"},
+    };
+    for (const Start& one : starts) {
+        start();
+        for (const auto& [name, value] : one.set)
+            host().set(name, value);
+        ASSERT_EQ(module().init(), 1);
+        EXPECT_EQ(host().text("pt_preset"), one.preset);
+        EXPECT_EQ(host().text("vigil_preset_kept"), one.preset);
+        EXPECT_EQ(host().text("pt_spp"), one.spp) << one.preset;
+        EXPECT_EQ(host().text("pt_light_points"), one.points) << one.preset;
+        module().shutdown();
+    }
 }
 
 TEST_F(ModuleTest, CommandsTellOfTheRenderer) {

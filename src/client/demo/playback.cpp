@@ -65,7 +65,7 @@ void DemoPlayback::cut_short(Session& session, const CvarRegistry& variables) {
     if (run_.repetitions() > 0) run_.report(session, variables);
     fail("ended after {} frames of repetition {} of {}: {}", frames, run_.repetitions() + 1,
          repetitions_,
-         run_.repetitions() > 0 ? "reported is what was finished" : "there is no report");
+         run_.repetitions() > 0 ? "the report has what was finished" : "there is no report");
 }
 
 void DemoPlayback::finish(Session& session, const CvarRegistry& variables) {

@@ -133,7 +133,7 @@ void DemoPlayer::take_message(const dm2::Message& message, Session& session) {
         level_wanted_ = true;
         const std::string& folder = data->game_folder;
         if (!folder.empty() && folder != "baseq2")
-            log_info("{}: recorded with the game \"{}\"; `game` names the folder to look into",
+            log_info("{}: recorded with the game \"{}\". `game` names the folder of its files.",
                      name(), printable(folder));
         if (log_texts_ && !data->level_title.empty())
             log_info("{}: {}", name(), printable(data->level_title));

@@ -40,12 +40,12 @@ std::string table(const std::vector<Row>& rows, size_t most, std::string_view in
 }
 
 std::string off_text(const GuidingReport& guiding) {
-    return fmt::format("guiding was off in the last frame: pt_nee {} learns nothing",
+    return fmt::format("Guiding was off in the last frame. pt_nee {} learns nothing.",
                        technique_infos[static_cast<size_t>(guiding.technique)].name);
 }
 
 constexpr const char* nothing_there =
-    "nothing under the crosshair that light could fall on (sky, or the inside of a wall)";
+    "There is no surface under the crosshair: sky, or the inside of a wall.";
 
 std::string leaf_text(const OctreeLeaf& leaf) {
     const auto name = [](uint32_t number) {
@@ -111,12 +111,13 @@ std::string scene_text(const refresh::SceneReport& scene, const GuidingReport& g
     text += "\n  guiding         off";
     if (guiding.on)
         text.replace(text.size() - 3, 3,
-                     fmt::format("octree of {} leaves, depth {}; {} caches; {:.1f} MiB",
+                     fmt::format("octree of {} leaves, depth {}, {} caches, {:.1f} MiB",
                                  guiding.leaves, guiding.depth, guiding.caches,
                                  mebibytes(guiding.bytes)));
     if (health.nonfinite > 0)
-        text += fmt::format("\n  {} radiance values were not finite: pt_view nonfinite shows where",
-                            health.nonfinite);
+        text +=
+            fmt::format("\n  {} radiance values were not finite. pt_view nonfinite shows where.",
+                        health.nonfinite);
     return text;
 }
 
@@ -148,7 +149,7 @@ std::string light_cache_text(const GuidingReport& guiding) {
     for (const auto& bucket : guiding.buckets)
         count += bucket.size();
     text += fmt::format("  cache           {} in {}\n"
-                        "  {:.0f}% of samples would pay off looking for other lights",
+                        "  {:.0f}% of samples gain from a search for other lights",
                         count_text(count, "light"), count_text(guiding.buckets.size(), "bucket"),
                         100.0f * guiding.earlier.explore_share);
     return text + table(guiding.buckets, most_buckets_listed, "  ", "more buckets",
@@ -162,7 +163,7 @@ std::string light_cache_text(const GuidingReport& guiding) {
 
 std::string quadtree_text(const GuidingReport& guiding) {
     if (!guiding.quadtrees)
-        return "no quadtrees of directions guided rays in the last frame: pt_guide cdq makes them";
+        return "No quadtrees guided rays in the last frame. pt_guide cdq makes them.";
     if (!guiding.position) return nothing_there;
     std::string text =
         place_text(guiding) +

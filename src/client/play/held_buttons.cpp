@@ -13,18 +13,18 @@ void HeldButtons::add_commands(CommandRegistry& commands) {
         std::string_view help;
     };
     static constexpr Row rows[] = {
-        {Forward, "forward", "walk or fly forward"},
-        {Back, "back", "walk or fly backward"},
-        {MoveLeft, "moveleft", "walk or fly left"},
-        {MoveRight, "moveright", "walk or fly right"},
-        {MoveUp, "moveup", "jump, swim or fly up"},
-        {MoveDown, "movedown", "crouch, dive or fly down"},
-        {TurnLeft, "left", "turn left"},
-        {TurnRight, "right", "turn right"},
-        {LookUp, "lookup", "look up"},
-        {LookDown, "lookdown", "look down"},
-        {Fast, "speed", "walk slowly, or fly three times as fast"},
-        {Attack, "attack", "shoot the blaster"},
+        {Forward, "forward", "Walks or flies forward"},
+        {Back, "back", "Walks or flies backward"},
+        {MoveLeft, "moveleft", "Walks or flies left"},
+        {MoveRight, "moveright", "Walks or flies right"},
+        {MoveUp, "moveup", "Jumps, swims or flies up"},
+        {MoveDown, "movedown", "Crouches, dives or flies down"},
+        {TurnLeft, "left", "Turns left"},
+        {TurnRight, "right", "Turns right"},
+        {LookUp, "lookup", "Looks up"},
+        {LookDown, "lookdown", "Looks down"},
+        {Fast, "speed", "Walks slowly, or flies three times as fast"},
+        {Attack, "attack", "Shoots the blaster"},
     };
     for (const Row& row : rows) {
         State& state = states_[row.button];
@@ -32,12 +32,12 @@ void HeldButtons::add_commands(CommandRegistry& commands) {
             return arguments.empty() ? std::string() : arguments[0];
         };
         commands.add(fmt::format("+{}", row.name),
-                     fmt::format("[KEY]: {} while the key is held", row.help),
+                     fmt::format("[KEY]: {} while the key is held.", row.help),
                      [&state, key_of](CommandArguments arguments) {
                          state.keys.insert(key_of(arguments));
                          state.pressed = true;
                      });
-        commands.add(fmt::format("-{}", row.name), fmt::format("[KEY]: ends +{}", row.name),
+        commands.add(fmt::format("-{}", row.name), fmt::format("[KEY]: Ends +{}.", row.name),
                      [&state, key_of](CommandArguments arguments) {
                          // Typed without a key, it ends the command whoever holds it.
                          if (arguments.empty()) state.keys.clear();

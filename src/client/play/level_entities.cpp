@@ -92,7 +92,7 @@ LevelEntities::LevelEntities(const Bsp& bsp, const RegisterModel& register_model
         }
     }
     for (const auto& [name, count] : unknown) {
-        log_info("entities of class {} are not shown ({} in this level)", name, count);
+        log_info("entities of class {} are not shown, {} in this level", name, count);
     }
 }
 
@@ -131,6 +131,13 @@ void LevelEntities::add_misc_model(const Entity& source, int number,
     entity.angles = source.get_model_angles();
     entity.skin = std::max(0, source.get_int("skin"));
     entity.frame = entity.old_frame = std::max(0, source.get_int("frame"));
+}
+
+void LevelEntities::register_again(const RegisterModel& register_model) {
+    for (size_t i = 0; i < entities_.size(); ++i) {
+        handles_[i] = register_model(models_[i]);
+        if (entities_[i].model >= 0) entities_[i].model = handles_[i];
+    }
 }
 
 bool LevelEntities::place(int number, const glm::vec3& origin, const glm::vec3& angles,

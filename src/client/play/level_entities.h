@@ -28,6 +28,9 @@ public:
     /// warning and left out; classes that name a model but are not known are reported once each.
     LevelEntities(const Bsp& bsp, const RegisterModel& register_model);
 
+    /// Gives the same models to another renderer.
+    void register_again(const RegisterModel& register_model);
+
     /// In file order; `number` is the index of the entity in the level's entity text. What waits
     /// for a trigger to appear has model -1.
     std::span<const refresh::Entity> entities() const { return entities_; }

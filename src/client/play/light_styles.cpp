@@ -57,7 +57,8 @@ LightStyles::LightStyles(std::span<const Entity> entities) : LightStyles() {
 
 LightStyles::Style& LightStyles::at(int style) {
     if (style < 0 || style >= refresh::light_style_count) {
-        fail("light styles are numbered 0 to {}, not {}", refresh::light_style_count - 1, style);
+        fail("a light style has a number from 0 to {}, not {}", refresh::light_style_count - 1,
+             style);
     }
     return styles_[static_cast<size_t>(style)];
 }
@@ -65,14 +66,14 @@ LightStyles::Style& LightStyles::at(int style) {
 void LightStyles::set_pattern(int style, std::string_view letters) {
     const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
     if (!std::ranges::all_of(letters, is_letter)) {
-        fail("a light style is a number or letters a to z, not \"{}\"", printable(letters, 80));
+        fail("a light style has letters a to z, or a number, not \"{}\"", printable(letters, 80));
     }
     at(style) = {std::string(letters), 1.0f};
 }
 
 void LightStyles::set_value(int style, float value) {
     if (!(value >= 0.0f) || !std::isfinite(value)) {
-        fail("a light style is at least 0, not {}", value);
+        fail("a light style must be at least 0, not {}", value);
     }
     at(style) = {"", value};
 }

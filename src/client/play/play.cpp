@@ -163,6 +163,12 @@ bool Play::set_walking(bool walking, Session& session) {
     return roomy;
 }
 
+void Play::kill(Session& session) {
+    game_->hurt_player(game_->health());
+    session.camera().set(session.camera().origin(), find_start(session.level()->bsp).angles);
+    show(session);
+}
+
 void Play::follow(Walk walk) {
     script_ = std::move(walk);
     script_tick_ = 0;

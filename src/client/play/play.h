@@ -34,6 +34,8 @@ public:
     /// returns to where it was left. False in that case.
     bool set_walking(bool walking, Session& session);
     bool walking() const { return walking_; }
+    /// Ends the player's life: it starts anew at the level's start. Only while walking.
+    void kill(Session& session);
     bool recording() const { return recording_.has_value(); }
 
     /// Follows a walk in place of the keys, until it ends.

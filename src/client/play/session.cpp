@@ -13,17 +13,16 @@ namespace vigil::client {
 
 Session::Session(const FileSystem& files, refresh::Renderer& renderer,
                  const CvarRegistry& variables)
-    : files_(files), renderer_(renderer), variables_(variables) {}
+    : files_(files), renderer_(&renderer), variables_(variables) {}
 
 void Session::load_map(std::string_view name) {
     const Stopwatch watch;
     std::shared_ptr<const Level> level = vigil::load_level(files_, name);
-    renderer_.load_level(level, variables_.values());
+    renderer_->load_level(level, variables_.values());
     level_ = std::move(level);
 
     const Bsp& bsp = level_->bsp;
-    drawn_entities_ = LevelEntities(
-        bsp, [this](std::string_view model) { return renderer_.register_model(model); });
+    drawn_entities_ = LevelEntities(bsp, register_model());
     entities_ = drawn_entities_;
     styles_ = LightStyles(bsp.entities);
     dynamic_lights_.clear();
@@ -33,11 +32,30 @@ void Session::load_map(std::string_view name) {
     camera_.set(start.origin, start.angles);
     time_s_ = 0.0;
     take_frame_times(true); // those of the level before
+    forget_times();
+    log_info("{}: {} faces, {} clusters, {} models placed, loaded in {:.2f} s", level_->name,
+             bsp.faces.size(), bsp.cluster_count, entities_.entities().size(), watch.seconds());
+}
+
+RegisterModel Session::register_model() {
+    return [this](std::string_view model) { return renderer_->register_model(model); };
+}
+
+void Session::forget_times() {
     statistics_.clear();
     counts_.clear();
     ++scene_changes_;
-    log_info("{}: {} faces, {} clusters, {} models placed; loaded in {:.2f} s", level_->name,
-             bsp.faces.size(), bsp.cluster_count, entities_.entities().size(), watch.seconds());
+}
+
+void Session::use_renderer(refresh::Renderer& renderer) {
+    renderer_ = &renderer;
+    shown_.reset();
+    played_.reset();
+    forget_times();
+    if (level_ == nullptr) return;
+    renderer_->load_level(level_, variables_.values());
+    drawn_entities_.register_again(register_model());
+    entities_.register_again(register_model());
 }
 
 void Session::place_entity(int number, const glm::vec3& origin, const glm::vec3& angles,
@@ -89,7 +107,7 @@ void Session::set_flashlight(bool on) {
 }
 
 void Session::reset_guiding() {
-    renderer_.reset_guiding();
+    renderer_->reset_guiding();
     counts_.clear();
     ++scene_changes_;
 }
@@ -155,12 +173,12 @@ void Session::render(ImDrawData* overlay, bool uncapped) {
     refresh::Frame now = frame();
     now.overlay = overlay;
     now.uncapped = uncapped;
-    last_frame_ = renderer_.render(now);
+    last_frame_ = renderer_->render(now);
     shown_ = present();
 }
 
 std::vector<refresh::FrameTimes> Session::take_frame_times(bool wait) {
-    std::vector<refresh::FrameTimes> times = renderer_.take_frame_times(wait);
+    std::vector<refresh::FrameTimes> times = renderer_->take_frame_times(wait);
     for (const refresh::FrameTimes& frame : times) {
         statistics_.add_frame(frame.passes);
         if (frame.counts.empty()) counts_.clear(); // guiding went off: what was is of no use

@@ -36,7 +36,10 @@ public:
     const Level* level() const { return level_.get(); }
     const std::shared_ptr<const Level>& shared_level() const { return level_; }
     const FileSystem& files() const { return files_; }
-    refresh::Renderer& renderer() { return renderer_; }
+    refresh::Renderer& renderer() { return *renderer_; }
+    /// Shows everything in another renderer from now on; that of before may be gone already. The
+    /// level goes on as it is, a demo's picture does not.
+    void use_renderer(refresh::Renderer& renderer);
 
     Camera& camera() { return camera_; }
     const LevelEntities& entities() const { return entities_; }
@@ -100,9 +103,11 @@ private:
         bool operator==(const Shown&) const = default;
     };
     Shown present() const;
+    RegisterModel register_model();
+    void forget_times();
 
     const FileSystem& files_;
-    refresh::Renderer& renderer_;
+    refresh::Renderer* renderer_;
     const CvarRegistry& variables_;
 
     std::shared_ptr<const Level> level_;

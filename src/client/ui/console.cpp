@@ -72,6 +72,14 @@ void Console::clear_lines() {
     follows_ = true;
 }
 
+std::string Console::text() {
+    update(time_s_);
+    std::string text;
+    for (const Line& line : lines_)
+        text += line.text + "\n";
+    return text;
+}
+
 void Console::key(Key key, bool ctrl, bool shift) {
     shift_ = shift;
     switch (key) {
@@ -214,6 +222,8 @@ Suggestion Console::describe(std::string word, bool first_word) const {
         } else if (const CvarInfo* info = find_cvar(ascii_lower(word))) {
             about = fmt::format("= {}  {} ({})", commands_.variables().get_text(info->name),
                                 info->help, cvar_range_text(*info));
+        } else if (const ForeignName* foreign = find_foreign_name(ascii_lower(word))) {
+            about = fmt::format("alias for {}. {}", foreign->target, foreign->about);
         }
     }
     return {std::move(word), std::move(about)};

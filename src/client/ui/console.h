@@ -54,6 +54,8 @@ public:
     /// Scrolls by `lines` towards older (positive) or newer ones.
     void scroll(int lines) { scroll_lines_ += lines; }
     void clear_lines();
+    /// All lines, each with its end.
+    std::string text();
 
     /// Draws it hanging down to `drop` (0..1) of the screen, at its end `height` of it, into the
     /// current ImGui frame.

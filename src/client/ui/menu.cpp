@@ -15,15 +15,15 @@ using platform::key_count;
 namespace {
 
 constexpr int page_rows = 10;      // that PGUP and PGDN move by
-constexpr float about_rows = 2.0f; // room for the sentence below the rows
+constexpr float about_rows = 3.0f; // room for the sentences below the rows
 constexpr float letters_wide = 46.0f;
 
 } // namespace
 
-void Menu::open() {
+void Menu::open(MenuPage page) {
     pages_.clear();
     point_at_widgets(nowhere); // where the mouse appears it chooses nothing
-    open_page(MenuPage::Main);
+    open_page(page);
 }
 
 void Menu::close() {
@@ -43,7 +43,11 @@ std::vector<MenuRow> Menu::rows() const {
     const Page& page = pages_.back();
     switch (page.kind) {
     case MenuPage::Main:
-        return main_rows(parts_.commands.variables(), parts_.picture_size());
+    case MenuPage::Video:
+    case MenuPage::Controls:
+    case MenuPage::Research:
+    case MenuPage::Quit:
+        return item_rows(page.kind, parts_.commands.variables(), parts_.picture_size());
     case MenuPage::Keys:
         return key_rows(parts_.bindings);
     case MenuPage::Levels:
@@ -153,6 +157,11 @@ void Menu::key(Key key, bool repeat) {
         return unbind_chosen();
     case Key::PadStart:
         return close();
+    case Key::Y:
+    case Key::N:
+        if (pages_.back().kind != MenuPage::Quit) return;
+        pages_.back().chosen = key == Key::Y ? 0 : 1;
+        return enter();
     default:
         return;
     }
@@ -168,21 +177,27 @@ void Menu::run_clicked() {
 void Menu::draw_rows(const std::vector<MenuRow>& rows) {
     const ImVec2 mouse_way = ImGui::GetIO().MouseDelta;
     size_t& chosen = pages_.back().chosen;
-    if (rows.empty()) ImGui::TextDisabled("there are none");
+    if (rows.empty()) ImGui::TextDisabled("There are none.");
     if (!ImGui::BeginTable("rows", 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (size_t i = 0; i < rows.size(); ++i) {
         const MenuRow& row = rows[i];
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(i));
+        // A mouse that rests marks nothing beside the choice.
+        ImGui::PushStyleColor(ImGuiCol_HeaderHovered,
+                              ImGui::GetColorU32(i == chosen ? ImGuiCol_Header : ImGuiCol_ChildBg));
         if (ImGui::Selectable(row.label.c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns))
             clicked_ = i;
+        ImGui::PopStyleColor();
         ImGui::PopID();
         if (!wants_key_ && ImGui::IsItemHovered() && (mouse_way.x != 0.0f || mouse_way.y != 0.0f))
             chosen = i;
         if (i == chosen && std::exchange(moved_, false)) ImGui::SetScrollHereY();
         ImGui::TableNextColumn();
         if (i == chosen && wants_key_)
-            ImGui::TextColored(theme::warning, "press a key (ESCAPE: none)");
+            ImGui::TextColored(theme::warning, "Press a key (ESCAPE: none)");
+        else if (row.page)
+            ImGui::TextColored(theme::value, "  >");
         else
             ImGui::TextColored(theme::value,
                                row.more.empty() ? "%s"

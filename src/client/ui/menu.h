@@ -29,8 +29,8 @@ public:
     explicit Menu(MenuParts parts) : parts_(std::move(parts)) {}
 
     bool is_open() const { return !pages_.empty(); }
-    /// Opens on the first page.
-    void open();
+    /// Opens on a page; what leaves it closes the menu.
+    void open(MenuPage page = MenuPage::Main);
     void close();
 
     /// A key went down (`repeat`: is held). Not to be called while it is closed.

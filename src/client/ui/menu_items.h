@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The menu's rows: what its first page changes or does, the names of levels and demos, and the
-// actions that keys can be given. Each is a label, a value, and the commands that it runs.
+// The menu's rows: what its pages change or do, the names of levels and demos, and the actions that
+// keys can be given. Each is a label, a value, and the commands that it runs.
 #pragma once
 
 #include "client/ui/key_bindings.h"
@@ -15,7 +15,7 @@
 
 namespace vigil::client {
 
-enum class MenuPage { Main, Levels, Demos, Keys };
+enum class MenuPage { Main, Levels, Demos, Video, Keys, Controls, Research, Quit };
 
 std::string_view menu_page_title(MenuPage page);
 
@@ -29,8 +29,9 @@ struct MenuRow {
     std::optional<MenuPage> page = {}; ///< that ENTER opens
 };
 
-/// The first page, for a window of this size in pixels.
-std::vector<MenuRow> main_rows(const CvarRegistry& variables, glm::ivec2 window_size);
+/// A page of items, for a window of this size in pixels; none for Levels, Demos and Keys.
+std::vector<MenuRow> item_rows(MenuPage page, const CvarRegistry& variables,
+                               glm::ivec2 window_size);
 /// A row for each name, which is the command's word.
 std::vector<MenuRow> name_rows(std::string_view command, std::span<const std::string> names);
 /// A row for each action, with its keys.

@@ -167,7 +167,7 @@ const Md2* PreviewPainter::model(const std::string& name) {
         try {
             row->second = std::make_unique<Md2>(parse_md2(name, files_.read(name)));
         } catch (const Error& error) {
-            log_warning("{}; the preview lacks it", error.what());
+            log_warning("{}. The preview lacks it.", error.what());
         }
     }
     return row->second.get();
@@ -179,7 +179,7 @@ const Image& PreviewPainter::skin(const std::string& name) {
         try {
             row->second = std::make_unique<Image>(decode_image(name, files_.read(name)));
         } catch (const Error& error) {
-            log_warning("{}; the preview shows a checker", error.what());
+            log_warning("{}. The preview shows a checker.", error.what());
             row->second = std::make_unique<Image>(checker_image());
         }
     }

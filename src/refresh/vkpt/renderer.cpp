@@ -264,9 +264,8 @@ void VkptRenderer::follow_trace_setting() {
     trace_setting_ = settings_.pt_trace;
     ray_query_failed_ = false;
     if (trace_setting_ == setting_choice("pt_trace", "query") && !device_.features().ray_query)
-        log_warning(
-            "pt_trace query: {} does not offer VK_KHR_ray_query; our BVH in compute is used",
-            device_.properties().deviceName);
+        log_warning("pt_trace query: {} lacks VK_KHR_ray_query. Our BVH in compute is used.",
+                    device_.properties().deviceName);
 }
 
 void VkptRenderer::follow_environment_setting() {
@@ -283,7 +282,7 @@ void VkptRenderer::follow_guide_setting() {
     guide_setting_ = settings_.pt_guide;
     const auto guide = static_cast<Guide>(guide_setting_);
     if (guide != Guide::brdf && !device_.features().subgroup_sums)
-        log_warning("pt_guide {}: {} lacks subgroup arithmetic; rays are drawn by the BRDF alone",
+        log_warning("pt_guide {}: {} lacks subgroup arithmetic. The BRDF alone draws rays.",
                     guider_name(guide), device_.properties().deviceName);
 }
 
@@ -291,7 +290,7 @@ bool VkptRenderer::prepare_ray_query() {
     try {
         return scene_->prepare_ray_query(use_ray_query(settings_));
     } catch (const Error& error) {
-        log_error("ray queries: {}; our BVH in compute is used", error.what());
+        log_error("ray queries: {}. Our BVH in compute is used.", error.what());
         ray_query_failed_ = true;
         return scene_->prepare_ray_query(false);
     }

@@ -157,8 +157,8 @@ void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvi
         if (has_layer(validation_layer))
             layers.push_back(validation_layer);
         else
-            log_warning(
-                "vk_validation: the layer is not installed (package vulkan-validationlayers)");
+            log_warning("vk_validation: the layer is not installed. Its package is "
+                        "vulkan-validationlayers.");
     }
     debug_utils_ = (options.debug_names || !layers.empty()) &&
                    (has_extension(instance_extensions(), VK_EXT_DEBUG_UTILS_EXTENSION_NAME) ||
@@ -204,7 +204,8 @@ void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvi
     }
     const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-        fail("no Vulkan driver found: install mesa-vulkan-drivers (or your GPU vendor's driver)");
+        fail("no Vulkan driver found. Install mesa-vulkan-drivers, or the driver of your GPU's "
+             "vendor.");
     check(result, "vkCreateInstance");
 
     const auto load = [&](const char* name) { return vkGetInstanceProcAddr(instance_, name); };
@@ -237,7 +238,8 @@ void Device::pick_physical_device(const DeviceOptions& options) {
         check(vkEnumeratePhysicalDevices(instance_, &count, devices.data()),
               "vkEnumeratePhysicalDevices");
     if (count == 0)
-        fail("no Vulkan driver found: install mesa-vulkan-drivers (or your GPU vendor's driver)");
+        fail("no Vulkan driver found. Install mesa-vulkan-drivers, or the driver of your GPU's "
+             "vendor.");
 
     int wanted_index = -1;
     std::from_chars(options.name.data(), options.name.data() + options.name.size(), wanted_index);

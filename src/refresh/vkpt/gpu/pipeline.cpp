@@ -44,7 +44,7 @@ PipelineCache::PipelineCache(const Device& device, std::filesystem::path file)
     if (const auto content = unseal(cache_kind, std::as_bytes(std::span(file_text))))
         data = *content;
     if (!file_text.empty() && !belongs_to(data, device.properties())) {
-        log_info("pipeline cache {}: from another device or driver, or damaged; starting a new one",
+        log_info("pipeline cache {}: from another device or driver, or damaged. A new one begins.",
                  file_.string());
         data = {};
     }

@@ -37,7 +37,7 @@ VkSurfaceFormatKHR choose_format(const Device& device) {
                 return {wanted, format.colorSpace};
         }
     }
-    fail("the window offers no 8-bit UNORM format: use another vid_driver");
+    fail("the window offers no 8-bit UNORM format. Use another vid_driver.");
 }
 
 VkPresentModeKHR choose_present_mode(const Device& device, bool vsync) {
@@ -121,7 +121,7 @@ bool Swapchain::create(VkExtent2D window_size, bool vsync) {
     if (extent.width == 0 || extent.height == 0) return false;
     out_of_date_ = true; // until all of what follows has worked
     if (!(surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
-        fail("the window's images cannot be copied to: use another vid_driver");
+        fail("the window's images cannot be copied to. Use another vid_driver.");
     const VkSurfaceFormatKHR format = choose_format(*device_);
     const VkPresentModeKHR mode = choose_present_mode(*device_, vsync);
 

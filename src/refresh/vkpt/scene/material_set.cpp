@@ -40,7 +40,7 @@ MaterialSet::MaterialSet(const FileSystem& files, TextureSet& textures)
     try {
         gloss_ = parse_material_table(material_file, files.read_text(material_file));
     } catch (const Error& error) {
-        log_warning("{}; all surfaces are diffuse", error.what());
+        log_warning("{}. All surfaces are diffuse.", error.what());
     }
 }
 

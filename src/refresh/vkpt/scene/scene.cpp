@@ -350,7 +350,7 @@ void Scene::add_model(size_t placed_index, const glm::mat4x3& transform, const g
     if (const auto first_light = lights_.place(key, lights_of(placed), transform, share * tint))
         add_instance(placed, placed_index, transform, *first_light, key, entity, look);
     else if (!std::exchange(reported_no_room_, true))
-        log_warning("{}: its entities have more than {} lights; those beyond are not shown",
+        log_warning("{}: its entities have more than {} lights. The rest is not shown.",
                     level_->bsp.name, max_moving_lights);
 }
 
