@@ -135,7 +135,7 @@ void add_demo_commands(Client& client) {
         client,
         {{"demomap",
           "NAME.dm2 [PREFIX EVERY]: plays a demo; with `timedemo 1` every frame once, as fast as "
-          "it can, every EVERY-th as PREFIX_000.png ...",
+          "it can, every EVERY-th as PREFIX_000.png ..., or with PREFIX.exr as its radiance",
           demomap, list_demos},
          {"demos", ": lists the demos that can be played",
           [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},

@@ -49,14 +49,6 @@ template <void (Module::*member)()> void command() {
     guarded([](Module& running) { (running.*member)(); });
 }
 
-void preset_command() {
-    guarded([](Module& running) {
-        running.choose_preset(engine_functions.argument_count() > 1
-                                  ? text_of(engine_functions.argument(1))
-                                  : std::string_view());
-    });
-}
-
 struct Command {
     const char* name;
     void (*run)();
@@ -69,7 +61,6 @@ constexpr Command commands[] = {
     {"vlcinfo", command<&Module::say_light_cache>},
     {"cdqinfo", command<&Module::say_quadtree>},
     {"passes", command<&Module::say_passes>},
-    {"pt_preset", preset_command},
 };
 
 void shut_down() {

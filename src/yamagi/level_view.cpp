@@ -17,10 +17,6 @@ using refresh::particle_radiance;
 constexpr float spark_brightness = 0.2f;
 constexpr float spark_size = 0.7f; // map units
 
-/// What an entity shines at least with the flag for it: a part of full brightness.
-constexpr float min_light = 0.02f;
-/// Things to pick up glow and fade in this much of full brightness, so many radians per second.
-constexpr float pickup_glow = 0.02f, pickup_speed = 7.0f;
 constexpr float smallest_beam = 0.5f;
 
 /// Of lights that belong to the level; matched ones count from 1.
@@ -54,9 +50,10 @@ glm::vec3 glow_of(const ViewEntity& entity, const EngineView& view) {
     if (sprite || has(entity, flag_full_bright)) return glm::vec3(particle_radiance);
     if ((view.flags & view_infrared) != 0 && has(entity, flag_infrared_visible))
         return {particle_radiance, 0.0f, 0.0f};
-    float glow = has(entity, flag_min_light) ? min_light : 0.0f;
+    float glow = has(entity, flag_min_light) ? refresh::game_min_light : 0.0f;
     if (has(entity, flag_glow))
-        glow += pickup_glow * (0.5f + 0.5f * std::sin(pickup_speed * view.time_s));
+        glow += refresh::game_pickup_glow *
+                (0.5f + 0.5f * std::sin(refresh::game_pickup_speed * view.time_s));
     return glm::vec3(glow * particle_radiance);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "yamagi/module.h"
 
+#include "client/measure/picture_file.h"
 #include "client/measure/report_text.h"
 #include "common/error.h"
 #include "common/log.h"
@@ -25,6 +26,10 @@ constexpr const char* first_mode = "4"; // 640 x 480
 
 // The game's own lights are as bright as a level whose light maps are bright; most are not.
 constexpr const char* dlight_scale = "0.1";
+
+/// A variable, not a command: the engine's command line makes variables before there is a renderer,
+/// and a variable hides a command.
+constexpr const char* preset_variable = "pt_preset";
 
 const client::PassSum sums[] = {{refresh::PassGroup::Preparation, "= preparation"},
                                 {refresh::PassGroup::PathTracing, "= path tracing"},
@@ -73,6 +78,7 @@ void Module::tell_pending() {
 // ---- window ----
 
 bool Module::init() {
+    update_variables();
     if (!open_window()) return false;
     engine_.functions().init_menu();
     return true;
@@ -122,6 +128,7 @@ void Module::init_context(void* window) {
         window_.reset();
         throw;
     }
+    renderer_->watch_compilation(&compile_wait_);
     screen_.use(renderer_.get());
     models_.use(renderer_.get());
 }
@@ -148,6 +155,26 @@ refresh::Settings Module::settings() const {
     return settings;
 }
 
+void Module::update_variables() {
+    variables_.update();
+    const std::string wanted = engine_.text(preset_variable, "");
+    if (wanted != preset_) {
+        if (const Preset* const preset = find_preset(wanted)) {
+            for (const PresetSetting& setting : preset->settings)
+                variables_.set(setting.variable, setting.value);
+        } else if (!wanted.empty()) {
+            std::vector<std::string_view> names;
+            for (const Preset& known : presets())
+                names.push_back(known.name);
+            log_warning("{} {}: one of {}", preset_variable, wanted, fmt::join(names, ", "));
+        }
+    }
+    // Whatever else was set, it names the preset that is in force.
+    const Preset* const present = present_preset(variables_.registry());
+    preset_ = present != nullptr ? present->name : "";
+    if (preset_ != wanted) engine_.set(preset_variable, preset_);
+}
+
 // ---- level ----
 
 void Module::begin_registration(std::string_view level) {
@@ -159,7 +186,7 @@ void Module::begin_registration(std::string_view level) {
     view_.begin_level({});
     passes_.clear();
     counts_.clear();
-    variables_.update();
+    update_variables();
     const std::shared_ptr<const Level> loaded = load_level(files_, level);
     renderer_->load_level(loaded, settings());
     level_loaded_ = true;
@@ -193,7 +220,7 @@ refresh::Renderer& Module::renderer_in_level() {
 // ---- frames ----
 
 void Module::begin_frame() {
-    variables_.update();
+    update_variables();
     screen_.set_size(size_, drawable_size());
     screen_.begin_frame();
     level_seen_ = false;
@@ -232,13 +259,32 @@ void Module::end_frame() {
     if (variables_.values().pt_light_styles == 0) frame.light_styles.fill(1.0f);
     timed_ = timed_ || (frame.show_level && engine_.value("timedemo", "0") != 0.0f);
     frame.uncapped = timed_;
+    compile_wait_.set_size(window_ ? drawable_size() : glm::ivec2(0));
     try {
         renderer_->render(frame);
     } catch (...) {
         failed_ = true;
         throw;
     }
+    if (frame.show_level && timed_) {
+        keep_timed_picture();
+        ++timed_frames_;
+    }
     take_times(false);
+}
+
+void Module::keep_timed_picture() {
+    const std::string name = engine_.text("vigil_timedemo_exr", "");
+    const int every = static_cast<int>(engine_.value("vigil_timedemo_every", "1"));
+    if (name.empty() || every < 1 || timed_frames_ % every != 0) return;
+    try {
+        const auto path = output_path(engine_.functions().game_folder(),
+                                      fmt::format("{}_{:03}.exr", name, timed_frames_ / every));
+        client::write_exr(path, renderer_->read_radiance());
+    } catch (const Error& error) {
+        log_warning("{}", error.what());
+        engine_.set("vigil_timedemo_exr", "");
+    }
 }
 
 void Module::take_times(bool wait) {
@@ -299,6 +345,7 @@ void Module::say_passes() {
 
 void Module::say_timed_passes() {
     timed_ = false;
+    timed_frames_ = 0;
     if (!renderer_) return;
     take_times(true);
     if (passes_.frame_count() == 0) return;
@@ -339,16 +386,6 @@ std::string Module::times_json() const {
     for (const client::PassSum& sum : sums)
         if (const client::PassSummary pass = passes_.summarize(sum); pass.frames > 0) add(pass);
     return json.dump(2) + "\n";
-}
-
-void Module::choose_preset(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Preset& preset : presets())
-        names.push_back(preset.name);
-    const Preset* const preset = find_preset(name);
-    if (preset == nullptr) fail("pt_preset: one of {}", fmt::join(names, ", "));
-    for (const PresetSetting& setting : preset->settings)
-        variables_.set(setting.variable, setting.value);
 }
 
 } // namespace vigil::yamagi

@@ -339,11 +339,30 @@ TEST_F(ModuleTest, VariablesFollowBothWays) {
     EXPECT_EQ(host().text("pt_nee"), "lh");
     EXPECT_EQ(host().text("pt_exposure_bias"), "16");
     EXPECT_EQ(host().lines.size(), before + 2) << "one message each";
-    host().run({"pt_preset", "fast"});
+}
+
+TEST_F(ModuleTest, PresetIsAVariable) {
+    start();
+    // As `+set pt_preset fast` on the engine's command line, before there is a renderer.
+    host().set("pt_preset", "fast");
+    ASSERT_EQ(module().init(), 1);
     EXPECT_EQ(host().text("pt_nee"), "vlc");
     EXPECT_EQ(host().text("pt_light_points"), "4");
-    host().run({"pt_preset", "none"});
-    EXPECT_EQ(host().count("pt_preset: one of paper, fast"), 1);
+    EXPECT_EQ(host().text("pt_preset"), "fast");
+    const auto next_frame = [&] { host().frame([](const ModuleFunctions&) {}); };
+    host().set("pt_light_points", "2");
+    next_frame();
+    EXPECT_EQ(host().text("pt_preset"), "") << "none is in force";
+    host().set("pt_preset", "none");
+    next_frame();
+    next_frame();
+    EXPECT_EQ(host().count("pt_preset none: one of paper, fast"), 1);
+    EXPECT_EQ(host().text("pt_preset"), "");
+    EXPECT_EQ(host().text("pt_light_points"), "2");
+    host().set("pt_preset", "accurate");
+    next_frame();
+    EXPECT_EQ(host().text("pt_spp"), "4");
+    EXPECT_EQ(host().text("pt_preset"), "accurate");
 }
 
 TEST_F(ModuleTest, CommandsTellOfTheRenderer) {

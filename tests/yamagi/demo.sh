@@ -1,0 +1,162 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Yamagi Quake II records a demo on one of our levels; then the engine with the module and build/vigil play it.
+#   demo.sh pictures [BUILD]   their raw pictures of the same frames have the same means, for every pt_nee
+#   demo.sh times [BUILD]      16 guards and rockets: times of passes, in turns, as a table
+# It ends with status 77 where the engine is missing. As root it starts the engine as nobody: it does not start for root.
+# SEEDS, ROUNDS, TECHNIQUES and DEMO_FOLDER (what is made stays there) change what is done.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+what=${1:-pictures}
+build=${2:-build}
+techniques=${TECHNIQUES:-sll lh vlc}
+every=6
+
+step() { printf '== %s\n' "$*"; }
+note() { :; }
+die() { printf '%s\n' "$*" >&2; exit 1; }
+skip() { printf 'skipped: %s\n' "$*"; exit 77; }
+for part in cache packages sources driver build quake2; do
+  # shellcheck source=/dev/null
+  source "tools/run/$part.sh"
+done
+
+# ---- what there is ----
+
+engine=$(installed_engine) || engine=$(cache_folder)/quake2/engine/files/usr/lib/yamagi-quake2
+[ -x "$engine/quake2" ] || skip "Yamagi Quake II is not here; ./run quake2 fetches it, VIGIL_YQ2 names its folder"
+for program in Xvfb python3 setpriv; do
+  command -v "$program" >/dev/null || skip "$program is not installed"
+done
+[ -e "$build/ref_vigil.so" ] && [ -x "$build/vigil" ] || die "$build has no ref_vigil.so and vigil: build them"
+
+scratch=${DEMO_FOLDER:-$(mktemp -d)}
+mkdir -p "$scratch"
+scratch=$(cd "$scratch" && pwd)
+display_process=''
+leave() {
+  if [ -n "$display_process" ]; then kill "$display_process" 2>/dev/null || true; fi
+  if [ -z "${DEMO_FOLDER:-}" ]; then rm -rf "$scratch"; fi
+}
+trap leave EXIT
+
+data=$scratch/run
+lay_out "$engine" "$data" ''
+rm "$data/ref_vigil.so"
+cp "$build/ref_vigil.so" "$data/"
+home=$scratch/home
+mkdir -p "$home/.yq2/baseq2/demos" "$home/.local/share" "$scratch/out/demos" "$scratch/pictures"
+
+as_player=()
+if [ "$(id -u)" = 0 ]; then
+  chown -R 65534 "$home"
+  chmod a+rx "$scratch"
+  chmod -R a+rX "$data"
+  as_player=(setpriv --reuid=65534 --clear-groups)
+fi
+# The chosen driver may lie in a folder that the player cannot read.
+driver=${VK_DRIVER_FILES:-${VK_ICD_FILENAMES:-}}
+if [ -n "$driver" ] && [ "$(id -u)" = 0 ]; then
+  cp -r "$(dirname "$driver")" "$scratch/driver"
+  sed -i "s|$(dirname "$driver")|$scratch/driver|" "$scratch/driver/$(basename "$driver")"
+  chmod -R a+rX "$scratch/driver"
+  driver=$scratch/driver/$(basename "$driver")
+fi
+
+exec 3<>"$scratch/display"
+Xvfb -displayfd 3 -screen 0 1280x720x24 >/dev/null 2>&1 &
+display_process=$!
+for _ in $(seq 50); do
+  sleep 0.2
+  if [ -s "$scratch/display" ]; then break; fi
+done
+exec 3>&-
+[ -s "$scratch/display" ] || skip "Xvfb does not start"
+
+# ---- playing ----
+
+# run_engine WIDTH HEIGHT LOG: with the commands of standard input, which it takes from a file: it has room for 50 words.
+run_engine() {
+  cat >"$home/.yq2/baseq2/commands.cfg"
+  rm -f "$home/.yq2/baseq2/config.cfg"
+  if ! (cd "$data" && exec timeout 600 "${as_player[@]}" env -i PATH="$PATH" HOME="$home" LANG=C.UTF-8 \
+    DISPLAY=":$(cat "$scratch/display")" ${driver:+VK_DRIVER_FILES="$driver" VK_ICD_FILENAMES="$driver"} \
+    SDL_AUDIODRIVER=dummy ./quake2 -datadir "$data" +set vid_renderer vigil +set s_initsound 0 +set allow_download 0 \
+    +set vid_fullscreen 0 +set r_mode -1 +set r_customwidth "$1" +set r_customheight "$2" +set r_vsync 0 \
+    +exec commands.cfg) >"$3" 2>&1; then
+    tail -n 20 "$3" >&2
+    die "the engine ended badly"
+  fi
+}
+
+# play_engine TECHNIQUE LOG COMMAND ...: the demo, every frame once. The clock stands: time is the demo's.
+play_engine() {
+  local technique=$1 log=$2 line
+  shift 2
+  {
+    printf 'set %s\n' "pt_nee $technique" "pt_guide brdf" "flt_enable 0" "crosshair 0" "fixedtime 1" "timedemo 1" \
+      "vigil_dlight_scale 1" "nextdemo quit"
+    for line in "$@"; do printf '%s\n' "$line"; done
+    echo "demomap shown.dm2"
+  } | run_engine "$width" "$height" "$log"
+}
+
+# play_own TECHNIQUE LOG ARGUMENTS ...
+play_own() {
+  local technique=$1 log=$2
+  shift 2
+  "$build/vigil" +set basedir "$data" +set outdir "$scratch/out" +set vid_driver headless +set vid_width "$width" \
+    +set vid_height "$height" +set pt_nee "$technique" +set pt_guide brdf +set flt_enable 0 +set timedemo 1 "$@" \
+    >"$log" 2>&1 || { tail -n 20 "$log" >&2; die "vigil ended badly"; }
+}
+
+frames_of() { sed -nE 's/^(.* )?([0-9]+) frames, [0-9.]+ seconds: .*/\2/p' "$1" | tail -n 1; }
+
+# waits N: so many of the engine's frames.
+waits() { for _ in $(seq "$1"); do echo wait; done; }
+
+# record COMMANDS: what they do on the warehouse becomes the demo `shown`; 20 of the engine's frames are a second.
+record() {
+  step "Recording"
+  {
+    printf '%s\n' "set fixedtime 50000" "set cheats 1" "set pt_nee sll" "set pt_guide brdf" "set flt_enable 0" \
+      "map warehouse" "god"
+    waits 30
+    echo "$1"
+    echo "record shown"
+    echo "$2"
+    printf '%s\n' stop wait wait quit
+  } | run_engine 80 60 "$scratch/record.log"
+  [ -s "$home/.yq2/baseq2/demos/shown.dm2" ] || die "no demo was recorded: $scratch/record.log"
+  cp "$home/.yq2/baseq2/demos/shown.dm2" "$scratch/out/demos/"
+}
+
+pictures() {
+  width=160 height=120
+  # Standing and walking among guards; at the end, shots.
+  record wait "$(waits 20; echo +forward; waits 30; echo -forward; echo +left; waits 12; echo -left; waits 20; echo +right
+    waits 12; printf '%s\n' -right +moveleft; waits 12; echo -moveleft; waits 10; echo +attack; waits 16; echo -attack
+    waits 30)"
+  local seed technique frames own
+  cp "$scratch/out/demos/shown.dm2" "$scratch/pictures/demo.dm2"
+  for technique in $techniques; do
+    for seed in $(seq "${SEEDS:-12}"); do
+      play_engine "$technique" "$scratch/engine.log" "set pt_seed $seed" "set vigil_timedemo_every $every" \
+        "set vigil_timedemo_exr engine_${technique}_${seed}"
+      mv "$home/.yq2/baseq2/"engine_*.exr "$scratch/pictures/"
+      play_own "$technique" "$scratch/vigil.log" +set pt_seed "$seed" \
+        +demomap shown "vigil_${technique}_${seed}.exr" $every +quit
+      mv "$scratch/out/"vigil_*.exr "$scratch/pictures/"
+      frames=$(frames_of "$scratch/engine.log")
+      own=$(frames_of "$scratch/vigil.log")
+      [ "$frames" = "$own" ] || die "$technique: the engine shows $frames frames, vigil $own"
+    done
+    step "$technique: both show $frames frames"
+  done
+  VIGIL_DEMO_PICTURES=$scratch/pictures VIGIL_DEMO_EVERY=$every "$build/tests/yamagi/yamagi_demo_pictures_test"
+}
+
+case $what in
+  pictures) pictures ;;
+  *) die "demo.sh: pictures or times" ;;
+esac
