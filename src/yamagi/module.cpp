@@ -177,6 +177,16 @@ void Module::update_variables() {
 
 // ---- level ----
 
+MaterialTable Module::materials() const {
+    constexpr std::string_view name = "materials.json";
+    try {
+        if (files_.exists(name)) return parse_material_table(name, files_.read_text(name));
+    } catch (const Error&) {
+        // The renderer tells of it.
+    }
+    return {};
+}
+
 void Module::begin_registration(std::string_view level) {
     if (timed_) say_timed_passes();
     if (!renderer_) return;
@@ -193,11 +203,14 @@ void Module::begin_registration(std::string_view level) {
     level_name_ = loaded->name;
     const int wanted =
         static_cast<int>(engine_.value("vigil_entity_lights", "2", variable_archived));
-    if (wanted == 1 || (wanted == 2 && !has_own_light(loaded->bsp))) {
-        std::vector<LevelLight> lights = entity_lights(loaded->bsp);
+    std::vector<LevelLight> lights =
+        entity_lights(*loaded, materials(),
+                      wanted == 0   ? EntityLights::None
+                      : wanted == 1 ? EntityLights::All
+                                    : EntityLights::WhereNothingShines);
+    if (!lights.empty())
         log_info("{}: {} of the level's entities are lights", loaded->name, lights.size());
-        view_.begin_level(std::move(lights));
-    }
+    view_.begin_level(std::move(lights));
     models_.begin_level(true);
     painter_.clear();
 }

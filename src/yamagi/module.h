@@ -65,6 +65,7 @@ private:
     /// Takes over what was set at the engine's console.
     void update_variables();
     bool open_window();
+    MaterialTable materials() const;
     void take_times(bool wait);
     /// Linear radiance of every so manieth frame of a timed demo, where one is wanted.
     void keep_timed_picture();
