@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace vigil::yamagi {
@@ -16,6 +17,18 @@ using refresh::particle_radiance;
 /// Sparks are drawn with this part of full brightness: more would be white, whatever their colour.
 constexpr float spark_brightness = 0.2f;
 constexpr float spark_size = 0.7f; // map units
+
+/// The engine's client moves the eye, though not the weapon before it, so that it lies on no plane
+/// of the level.
+constexpr float client_shift = 1.0f / 16.0f;
+
+/// A flash is beside its weapon and lasts a frame or two. As small as game_light_size has it, it
+/// burns out what is near, and few pixels find it in time. So the ball is of the game's radius /
+/// 16, with the same light in all.
+constexpr float effect_size = 1.0f / 16.0f;
+constexpr float effect_radiance = refresh::game_light_radiance *
+                                  (refresh::game_light_size / effect_size) *
+                                  (refresh::game_light_size / effect_size);
 
 constexpr float smallest_beam = 0.5f;
 
@@ -108,16 +121,24 @@ void LevelView::begin_level(std::vector<LevelLight> lights) {
     light_ids_.clear();
 }
 
+void waver(refresh::View& view, double time_s) {
+    constexpr double turns_per_s = 0.4, breath = 0.02, sway = 1.0; // degrees
+    const double phase = 2.0 * std::numbers::pi * std::fmod(turns_per_s * time_s, 1.0);
+    view.fov_y *= static_cast<float>(1.0 + breath * std::sin(phase));
+    view.angles.z += static_cast<float>(sway * std::cos(phase));
+}
+
 void LevelView::read(const EngineView& view, glm::ivec2 screen, Models& models,
                      const Screen& colors, float light_brightness) {
     time_s_ = static_cast<double>(view.time_s);
-    view_.origin = vec(view.origin);
+    view_.origin = vec(view.origin) - client_shift;
     view_.angles = vec(view.angles);
     // A view smaller than the screen is the middle of one as high as the screen.
     const float half = std::tan(0.5f * glm::radians(std::clamp(view.fov_y, 1.0f, 170.0f)));
     const float rows =
         static_cast<float>(std::max(screen.y, 1)) / static_cast<float>(std::max(view.height, 1));
     view_.fov_y = std::clamp(2.0f * glm::degrees(std::atan(half * rows)), 1.0f, 175.0f);
+    if ((view.flags & view_underwater) != 0) waver(view_, time_s_);
     styles_.fill(1.0f);
     for (size_t i = 0; view.light_styles != nullptr && i < styles_.size(); ++i) {
         const float(&rgb)[3] = view.light_styles[i].rgb;
@@ -164,8 +185,8 @@ void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, fl
         if (!(light.intensity > 0.0f) || color == glm::vec3(0.0f)) continue;
         refresh::DynamicLight& shown = lights_.emplace_back();
         shown.origin = vec(light.origin);
-        shown.radius = refresh::game_light_size * light.intensity;
-        shown.radiance = brightness * refresh::game_light_radiance * light.intensity * color;
+        shown.radius = effect_size * light.intensity;
+        shown.radiance = brightness * effect_radiance * light.intensity * color;
         shown.visible = false;
         const glm::uvec3 hue(glm::round(16.0f * glm::min(color, glm::vec3(8.0f))));
         seen_.push_back({hue.x | hue.y << 8 | hue.z << 16, shown.origin, std::nullopt, 0, 0});

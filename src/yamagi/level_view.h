@@ -43,6 +43,10 @@ private:
     std::vector<Sighting> seen_; // of one kind of things
 };
 
+/// Under water the picture breathes and sways: the vertical angle by 2%, the roll by a degree, two
+/// times in five seconds.
+void waver(refresh::View& view, double time_s);
+
 /// How a model without a level is seen; empty where the view shows nothing.
 std::vector<refresh::PreviewModel> preview_models(const EngineView& view);
 

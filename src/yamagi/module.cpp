@@ -24,8 +24,9 @@ namespace {
 constexpr int mode_of_desktop = -2, mode_of_person = -1;
 constexpr const char* first_mode = "4"; // 640 x 480
 
-// The game's own lights are as bright as a level whose light maps are bright; most are not.
-constexpr const char* dlight_scale = "0.1";
+// The game's lights are as bright as light maps can be: a shot would outshine a level of lamps a
+// hundred times. With this it is about as bright as the brightest of their walls.
+constexpr const char* dlight_scale = "0.03";
 
 /// A variable, not a command: the engine's command line makes variables before there is a renderer,
 /// and a variable hides a command.

@@ -156,7 +156,74 @@ pictures() {
   VIGIL_DEMO_PICTURES=$scratch/pictures VIGIL_DEMO_EVERY=$every "$build/tests/yamagi/yamagi_demo_pictures_test"
 }
 
+# 16 guards along the way from the start, and nothing else that moves.
+place_guards() {
+  python3 - "$data/baseq2" <<'PYTHON'
+import sys
+from pathlib import Path
+sys.path.insert(0, "tools/quake2")
+import entities
+folder = Path(sys.argv[1])
+entities.APART, entities.FROM_START, entities.MOST = 70.0, 150.0, 16
+text = entities.entity_text(Path("baseq2/maps/warehouse.bsp")).rstrip()
+places = entities.places(Path("baseq2/routes/warehouse.route"))
+assert len(places) == 16
+for x, y, z in places:
+    text += f'\n{{\n"classname" "monster_soldier"\n"origin" "{x:.0f} {y:.0f} {z - 12:.0f}"\n"angle" "180"\n}}'
+(folder / "maps/warehouse.ent").unlink()
+(folder / "maps/warehouse.ent").write_text(text + "\n", encoding="latin-1")
+PYTHON
+}
+
+times() {
+  width=320 height=240
+  place_guards
+  record "give rocket launcher
+give rockets 50
+notarget
+use rocket launcher" "$(waits 60; for _ in 1 2 3 4; do echo +attack; waits 10; printf '%s\n' -attack +left; waits 3
+    echo -left; waits 20; printf '%s\n' +attack; waits 10; printf '%s\n' -attack +right; waits 3; echo -right; waits 20
+    done)"
+  local technique round
+  for technique in $techniques; do
+    for round in $(seq "${ROUNDS:-3}"); do
+      play_engine "$technique" "$scratch/engine.log" "set flt_enable 1" "set vigil_timedemo_json times.json"
+      mv "$home/.yq2/baseq2/times.json" "$scratch/times_engine_${technique}_$round.json"
+      play_own "$technique" "$scratch/vigil.log" +set flt_enable 1 +set timedemo_json times.json +demomap shown +quit
+      mv "$scratch/out/times.json" "$scratch/times_vigil_${technique}_$round.json"
+      printf '%s %s: engine %s, vigil %s\n' "$technique" "$round" \
+        "$(grep -aoE '[0-9]+ frames, .* fps' "$scratch/engine.log")" \
+        "$(grep -aoE '[0-9]+ frames, .* fps' "$scratch/vigil.log")"
+    done
+  done
+  python3 - "$scratch" "$techniques" <<'PYTHON'
+import json, statistics, sys
+from pathlib import Path
+folder, bad = Path(sys.argv[1]), 0
+for technique in sys.argv[2].split():
+    medians: dict[str, dict[str, list[float]]] = {}
+    for program in ("engine", "vigil"):
+        for path in folder.glob(f"times_{program}_{technique}_*.json"):
+            report = json.loads(path.read_text())
+            for row in report["passes"] + report.get("groups", []):
+                name = row["name"].removeprefix("= ").split(",")[0]
+                medians.setdefault(name, {}).setdefault(program, []).append(row["median_ms"])
+    print(f"{technique}: median ms of a frame, median of {len(next(iter(medians.values()))['engine'])} runs\n"
+          f"{'pass':<24} {'engine':>8} {'vigil':>8}  ratio")
+    for name, rows in medians.items():
+        if len(rows) < 2:
+            print(f"{name:<24} {statistics.median(next(iter(rows.values()))):8.3f} of {next(iter(rows))} alone")
+            continue
+        engine, own = statistics.median(rows["engine"]), statistics.median(rows["vigil"])
+        print(f"{name:<24} {engine:8.3f} {own:8.3f}  {engine / own:.3f}")
+        if name in ("preparation", "path tracing") and not 0.9 < engine / own < 1.1:
+            bad += 1
+sys.exit(1 if bad else 0)
+PYTHON
+}
+
 case $what in
   pictures) pictures ;;
+  times) times ;;
   *) die "demo.sh: pictures or times" ;;
 esac

@@ -3,9 +3,11 @@
 #include "common/memory_source.h"
 #include "yamagi/engine.h"
 #include "yamagi/level_lights.h"
+#include "yamagi/level_view.h"
 #include "yamagi/screen.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace vigil::yamagi {
@@ -67,6 +69,24 @@ TEST(Pictures, HaveFilesInSeveralFormats) {
 std::vector<LevelLight> lights_of(const Bsp& bsp, EntityLights wanted,
                                   const MaterialTable& materials = {}) {
     return entity_lights(Level{"test", bsp, {}}, materials, wanted);
+}
+
+TEST(Views, WaverUnderWater) {
+    float widest = 0.0f, most = 0.0f;
+    double fov = 0.0, roll = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        refresh::View view;
+        view.fov_y = 60.0f;
+        waver(view, 1000.0 + 0.025 * i); // one turn
+        widest = std::max(widest, std::abs(view.fov_y - 60.0f));
+        most = std::max(most, std::abs(view.angles.z));
+        fov += static_cast<double>(view.fov_y) / 100;
+        roll += static_cast<double>(view.angles.z) / 100;
+    }
+    EXPECT_NEAR(widest, 1.2f, 0.01f);
+    EXPECT_NEAR(most, 1.0f, 0.01f);
+    EXPECT_NEAR(fov, 60.0, 1e-3);
+    EXPECT_NEAR(roll, 0.0, 1e-3);
 }
 
 TEST(LevelLights, AreThoseOfEntitiesOrOfStarts) {
