@@ -156,6 +156,7 @@ void LevelView::read_entities(std::span<const ViewEntity> entities, const Engine
     seen_.clear();
     for (const ViewEntity& entity : entities) {
         if (has(entity, flag_beam) || entity.model == nullptr) continue;
+        if (!weapon_ && has(entity, flag_weapon_model)) continue;
         entities_.push_back(entity_of(entity, view, models));
         seen_.push_back(sighting_of(entity));
     }

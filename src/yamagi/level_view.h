@@ -19,6 +19,8 @@ public:
     /// `light_brightness` a factor on the radiance of dynamic lights.
     void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors,
               float light_brightness);
+    /// Whether the weapon in hand is seen, from the next read() on.
+    void show_weapon(bool shown) { weapon_ = shown; }
     /// Another level, lit by these besides: numbers begin anew.
     void begin_level(std::vector<LevelLight> lights);
 
@@ -32,6 +34,7 @@ private:
     void read_particles(std::span<const ViewParticle> particles, const Screen& colors);
 
     refresh::View view_;
+    bool weapon_ = true;
     double time_s_ = 0.0;
     std::array<float, refresh::light_style_count> styles_{};
     std::vector<refresh::Entity> entities_;

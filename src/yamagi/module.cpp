@@ -257,6 +257,8 @@ void Module::render_view(const EngineView& view) {
         return;
     }
     const float lights = engine_.value("vigil_dlight_scale", dlight_scale, variable_archived);
+    constexpr float hand_in_the_middle = 2.0f; // where the game shows no weapon
+    view_.show_weapon(engine_.value("hand", "0") != hand_in_the_middle);
     view_.read(view, size_, models_, screen_, std::max(lights, 0.0f));
     level_seen_ = true;
     const float(&blend)[4] = view.blend;

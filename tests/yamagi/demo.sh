@@ -134,9 +134,9 @@ record() {
 pictures() {
   width=160 height=120
   # Standing and walking among guards; at the end, shots.
-  record wait "$(waits 20; echo +forward; waits 30; echo -forward; echo +left; waits 12; echo -left; waits 20; echo +right
-    waits 12; printf '%s\n' -right +moveleft; waits 12; echo -moveleft; waits 10; echo +attack; waits 16; echo -attack
-    waits 30)"
+  record wait "$(waits 10; echo +forward; waits 24; echo -forward; echo +left; waits 8; echo -left; waits 8; echo +right
+    waits 8; printf '%s\n' -right +moveleft; waits 8; echo -moveleft; waits 6; echo +attack; waits 10; echo -attack
+    waits 10)"
   local seed technique frames own
   cp "$scratch/out/demos/shown.dm2" "$scratch/pictures/demo.dm2"
   for technique in $techniques; do
