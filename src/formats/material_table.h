@@ -23,8 +23,8 @@ struct Gloss {
 using MaterialTable = std::map<std::string, Gloss, std::less<>>;
 
 /// Parses {"NAME": {"roughness": R, "specular": S, "light": L}, ...}; a missing number keeps its
-/// default, and other members are ignored. `name` appears in messages. Throws Error where the text is not JSON
-/// or an entry is no object or holds a number out of range.
+/// default, and other members are ignored. `name` appears in messages. Throws Error where the text
+/// is not JSON or an entry is no object or holds a number out of range.
 MaterialTable parse_material_table(std::string_view name, std::string_view text);
 
 } // namespace vigil
