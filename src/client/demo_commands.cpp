@@ -134,7 +134,7 @@ ClientCommands demo_commands() {
     return {
         {"demomap",
          "NAME.dm2 [PREFIX EVERY]: Plays a demo. After `timedemo 1` it measures every frame. Then "
-         "each EVERY-th frame is kept as PREFIX_000.png and so on.",
+         "each EVERY-th frame is kept as PREFIX_000.png and so on. PREFIX.exr keeps radiance.",
          demomap, list_demos},
         {"demos", ": Lists the demos that can be played.",
          [](Client& c, CommandArguments) { log_names(list_demos(c), "demos"); }},

@@ -92,7 +92,11 @@ enum Effect : uint32_t {
 
 /// EntityState::render_flags.
 enum RenderFlag : uint32_t {
+    RF_MINLIGHT = 0x1, // is never quite dark
+    RF_FULLBRIGHT = 0x8,
+    RF_TRANSLUCENT = 0x20,
     RF_BEAM = 0x80, // a beam from origin to old_origin; `frame` is its diameter, `skin` its colours
+    RF_GLOW = 0x200, // pulses: things to pick up
     RF_SHELL_RED = 0x400,
     RF_SHELL_GREEN = 0x800,
     RF_SHELL_BLUE = 0x1000,

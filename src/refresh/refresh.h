@@ -152,6 +152,11 @@ struct Draw {
 /// (docs/internals/units.md).
 inline constexpr float particle_radiance = 20.0f;
 
+/// Parts of particle_radiance that the first Quake II's things shine of themselves: what is never
+/// quite dark (its flag for a least light), and by how much its things to pick up pulse, with the
+/// sine of so many radians a second.
+inline constexpr float game_min_light = 0.02f, game_pickup_glow = 0.02f, game_pickup_speed = 7.0f;
+
 /// The first Quake II's light of an effect, with the radius that its game gives, is a ball of
 /// game_light_size times that radius, and its colour times game_light_radiance times that radius is
 /// the ball's radiance (docs/internals/units.md says why).

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace vigil::yamagi {
@@ -17,10 +18,18 @@ using refresh::particle_radiance;
 constexpr float spark_brightness = 0.2f;
 constexpr float spark_size = 0.7f; // map units
 
-/// What an entity shines at least with the flag for it: a part of full brightness.
-constexpr float min_light = 0.02f;
-/// Things to pick up glow and fade in this much of full brightness, so many radians per second.
-constexpr float pickup_glow = 0.02f, pickup_speed = 7.0f;
+/// The engine's client moves the eye, though not the weapon before it, so that it lies on no plane
+/// of the level.
+constexpr float client_shift = 1.0f / 16.0f;
+
+/// A flash is beside its weapon and lasts a frame or two. As small as game_light_size has it, it
+/// burns out what is near, and few pixels find it in time. So the ball is of the game's radius /
+/// 16, with the same light in all.
+constexpr float effect_size = 1.0f / 16.0f;
+constexpr float effect_radiance = refresh::game_light_radiance *
+                                  (refresh::game_light_size / effect_size) *
+                                  (refresh::game_light_size / effect_size);
+
 constexpr float smallest_beam = 0.5f;
 
 /// Of lights that belong to the level; matched ones count from 1.
@@ -54,9 +63,10 @@ glm::vec3 glow_of(const ViewEntity& entity, const EngineView& view) {
     if (sprite || has(entity, flag_full_bright)) return glm::vec3(particle_radiance);
     if ((view.flags & view_infrared) != 0 && has(entity, flag_infrared_visible))
         return {particle_radiance, 0.0f, 0.0f};
-    float glow = has(entity, flag_min_light) ? min_light : 0.0f;
+    float glow = has(entity, flag_min_light) ? refresh::game_min_light : 0.0f;
     if (has(entity, flag_glow))
-        glow += pickup_glow * (0.5f + 0.5f * std::sin(pickup_speed * view.time_s));
+        glow += refresh::game_pickup_glow *
+                (0.5f + 0.5f * std::sin(refresh::game_pickup_speed * view.time_s));
     return glm::vec3(glow * particle_radiance);
 }
 
@@ -111,16 +121,24 @@ void LevelView::begin_level(std::vector<LevelLight> lights) {
     light_ids_.clear();
 }
 
+void waver(refresh::View& view, double time_s) {
+    constexpr double turns_per_s = 0.4, breath = 0.02, sway = 1.0; // degrees
+    const double phase = 2.0 * std::numbers::pi * std::fmod(turns_per_s * time_s, 1.0);
+    view.fov_y *= static_cast<float>(1.0 + breath * std::sin(phase));
+    view.angles.z += static_cast<float>(sway * std::cos(phase));
+}
+
 void LevelView::read(const EngineView& view, glm::ivec2 screen, Models& models,
                      const Screen& colors, float light_brightness) {
     time_s_ = static_cast<double>(view.time_s);
-    view_.origin = vec(view.origin);
+    view_.origin = vec(view.origin) - client_shift;
     view_.angles = vec(view.angles);
     // A view smaller than the screen is the middle of one as high as the screen.
     const float half = std::tan(0.5f * glm::radians(std::clamp(view.fov_y, 1.0f, 170.0f)));
     const float rows =
         static_cast<float>(std::max(screen.y, 1)) / static_cast<float>(std::max(view.height, 1));
     view_.fov_y = std::clamp(2.0f * glm::degrees(std::atan(half * rows)), 1.0f, 175.0f);
+    if ((view.flags & view_underwater) != 0) waver(view_, time_s_);
     styles_.fill(1.0f);
     for (size_t i = 0; view.light_styles != nullptr && i < styles_.size(); ++i) {
         const float(&rgb)[3] = view.light_styles[i].rgb;
@@ -138,6 +156,7 @@ void LevelView::read_entities(std::span<const ViewEntity> entities, const Engine
     seen_.clear();
     for (const ViewEntity& entity : entities) {
         if (has(entity, flag_beam) || entity.model == nullptr) continue;
+        if (!weapon_ && has(entity, flag_weapon_model)) continue;
         entities_.push_back(entity_of(entity, view, models));
         seen_.push_back(sighting_of(entity));
     }
@@ -167,8 +186,8 @@ void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, fl
         if (!(light.intensity > 0.0f) || color == glm::vec3(0.0f)) continue;
         refresh::DynamicLight& shown = lights_.emplace_back();
         shown.origin = vec(light.origin);
-        shown.radius = refresh::game_light_size * light.intensity;
-        shown.radiance = brightness * refresh::game_light_radiance * light.intensity * color;
+        shown.radius = effect_size * light.intensity;
+        shown.radiance = brightness * effect_radiance * light.intensity * color;
         shown.visible = false;
         const glm::uvec3 hue(glm::round(16.0f * glm::min(color, glm::vec3(8.0f))));
         seen_.push_back({hue.x | hue.y << 8 | hue.z << 16, shown.origin, std::nullopt, 0, 0});

@@ -19,6 +19,8 @@ public:
     /// `light_brightness` a factor on the radiance of dynamic lights.
     void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors,
               float light_brightness);
+    /// Whether the weapon in hand is seen, from the next read() on.
+    void show_weapon(bool shown) { weapon_ = shown; }
     /// Another level, lit by these besides: numbers begin anew.
     void begin_level(std::vector<LevelLight> lights);
 
@@ -32,6 +34,7 @@ private:
     void read_particles(std::span<const ViewParticle> particles, const Screen& colors);
 
     refresh::View view_;
+    bool weapon_ = true;
     double time_s_ = 0.0;
     std::array<float, refresh::light_style_count> styles_{};
     std::vector<refresh::Entity> entities_;
@@ -42,6 +45,10 @@ private:
     Identities entity_ids_, beam_ids_, light_ids_;
     std::vector<Sighting> seen_; // of one kind of things
 };
+
+/// Under water the picture breathes and sways: the vertical angle by 2%, the roll by a degree, two
+/// times in five seconds.
+void waver(refresh::View& view, double time_s);
 
 /// How a model without a level is seen; empty where the view shows nothing.
 std::vector<refresh::PreviewModel> preview_models(const EngineView& view);

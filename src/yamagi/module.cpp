@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "yamagi/module.h"
 
+#include "client/measure/picture_file.h"
 #include "client/measure/report_text.h"
 #include "common/error.h"
 #include "common/log.h"
@@ -21,8 +22,9 @@ namespace {
 constexpr int mode_of_desktop = -2, mode_of_person = -1;
 constexpr const char* first_mode = "4"; // 640 x 480
 
-// The game's own lights are as bright as a level whose light maps are bright; most are not.
-constexpr const char* dlight_scale = "0.1";
+// The game's lights are as bright as light maps can be: a shot would outshine a level of lamps a
+// hundred times. With this it is about as bright as the brightest of their walls.
+constexpr const char* dlight_scale = "0.03";
 
 const client::PassSum sums[] = {{refresh::PassGroup::Preparation, "= preparation"},
                                 {refresh::PassGroup::PathTracing, "= path tracing"},
@@ -71,6 +73,7 @@ void Module::tell_pending() {
 // ---- window ----
 
 bool Module::init() {
+    variables_.update();
     if (!open_window()) return false;
     engine_.functions().init_menu();
     return true;
@@ -120,6 +123,7 @@ void Module::init_context(void* window) {
         window_.reset();
         throw;
     }
+    renderer_->watch_compilation(&compile_wait_);
     screen_.use(renderer_.get());
     models_.use(renderer_.get());
 }
@@ -148,6 +152,16 @@ refresh::Settings Module::settings() const {
 
 // ---- level ----
 
+MaterialTable Module::materials() const {
+    constexpr std::string_view name = "materials.json";
+    try {
+        if (files_.exists(name)) return parse_material_table(name, files_.read_text(name));
+    } catch (const Error&) {
+        // The renderer tells of it.
+    }
+    return {};
+}
+
 void Module::begin_registration(std::string_view level) {
     if (timed_) say_timed_passes();
     if (!renderer_) return;
@@ -164,11 +178,14 @@ void Module::begin_registration(std::string_view level) {
     level_name_ = loaded->name;
     const int wanted =
         static_cast<int>(engine_.value("vigil_entity_lights", "2", variable_archived));
-    if (wanted == 1 || (wanted == 2 && !has_own_light(loaded->bsp))) {
-        std::vector<LevelLight> lights = entity_lights(loaded->bsp);
+    std::vector<LevelLight> lights =
+        entity_lights(*loaded, materials(),
+                      wanted == 0   ? EntityLights::None
+                      : wanted == 1 ? EntityLights::All
+                                    : EntityLights::WhereNothingShines);
+    if (!lights.empty())
         log_info("{}: {} of the level's entities are lights", loaded->name, lights.size());
-        view_.begin_level(std::move(lights));
-    }
+    view_.begin_level(std::move(lights));
     models_.begin_level(true);
     painter_.clear();
 }
@@ -214,6 +231,8 @@ void Module::render_view(const EngineView& view) {
         return;
     }
     const float lights = engine_.value("vigil_dlight_scale", dlight_scale, variable_archived);
+    constexpr float hand_in_the_middle = 2.0f; // where the game shows no weapon
+    view_.show_weapon(engine_.value("hand", "0") != hand_in_the_middle);
     view_.read(view, size_, models_, screen_, std::max(lights, 0.0f));
     level_seen_ = true;
     const float(&blend)[4] = view.blend;
@@ -230,13 +249,32 @@ void Module::end_frame() {
     if (variables_.values().pt_light_styles == 0) frame.light_styles.fill(1.0f);
     timed_ = timed_ || (frame.show_level && engine_.value("timedemo", "0") != 0.0f);
     frame.uncapped = timed_;
+    compile_wait_.set_size(window_ ? drawable_size() : glm::ivec2(0));
     try {
         renderer_->render(frame);
     } catch (...) {
         failed_ = true;
         throw;
     }
+    if (frame.show_level && timed_) {
+        keep_timed_picture();
+        ++timed_frames_;
+    }
     take_times(false);
+}
+
+void Module::keep_timed_picture() {
+    const std::string name = engine_.text("vigil_timedemo_exr", "");
+    const int every = static_cast<int>(engine_.value("vigil_timedemo_every", "1"));
+    if (name.empty() || every < 1 || timed_frames_ % every != 0) return;
+    try {
+        const auto path = output_path(engine_.functions().game_folder(),
+                                      fmt::format("{}_{:03}.exr", name, timed_frames_ / every));
+        client::write_exr(path, renderer_->read_radiance());
+    } catch (const Error& error) {
+        log_warning("{}", error.what());
+        engine_.set("vigil_timedemo_exr", "");
+    }
 }
 
 void Module::take_times(bool wait) {
@@ -297,6 +335,7 @@ void Module::say_passes() {
 
 void Module::say_timed_passes() {
     timed_ = false;
+    timed_frames_ = 0;
     if (!renderer_) return;
     take_times(true);
     if (passes_.frame_count() == 0) return;

@@ -8,6 +8,7 @@
 #include "client/measure/pass_statistics.h"
 #include "common/log.h"
 #include "refresh/preview/preview.h"
+#include "yamagi/compile_wait.h"
 #include "yamagi/level_view.h"
 #include "yamagi/sdl_window.h"
 #include "yamagi/variables.h"
@@ -61,8 +62,12 @@ public:
 private:
     refresh::Settings settings() const;
     refresh::Renderer& renderer_in_level();
+    /// Takes over what was set at the engine's console.
     bool open_window();
+    MaterialTable materials() const;
     void take_times(bool wait);
+    /// Linear radiance of every so manieth frame of a timed demo, where one is wanted.
+    void keep_timed_picture();
     /// After a demo was timed (`timedemo` of the engine).
     void say_timed_passes();
     std::string times_json() const;
@@ -84,12 +89,14 @@ private:
     glm::ivec2 size_{640, 480}; // that the engine draws for
     bool without_vulkan_ = false;
     std::optional<SdlWindow> window_;
+    CompileWait compile_wait_;
     std::unique_ptr<refresh::Renderer> renderer_;
     bool level_loaded_ = false;
     std::string level_name_;
     bool level_seen_ = false; // in this frame
     bool failed_ = false;     // the last frame
     bool timed_ = false;      // a demo
+    int timed_frames_ = 0;    // of it
     int previews_ = 0;        // in this frame
     client::PassStatistics passes_;
     client::CountStatistics counts_{100};

@@ -43,6 +43,13 @@ std::optional<std::string> load_sdl_vulkan() {
     return load(nullptr) == 0 ? std::nullopt : std::optional(sdl_error());
 }
 
+bool answer_window_system() {
+    constexpr uint32_t quit_event = 0x100; // the same in SDL 2 and 3
+    if (const auto pump = find<void()>("SDL_PumpEvents"); pump != nullptr) pump();
+    const auto has = find<int(uint32_t)>("SDL_HasEvent");
+    return has != nullptr && (has(quit_event) & 0xff) != 0;
+}
+
 std::vector<std::string> SdlWindow::instance_extensions() const {
     constexpr const char* name = "SDL_Vulkan_GetInstanceExtensions";
     if (sdl_version() == 3) {

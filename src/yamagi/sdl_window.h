@@ -18,6 +18,10 @@ int sdl_version();
 /// Whether SDL finds Vulkan for the display that it uses; else what it says.
 std::optional<std::string> load_sdl_vulkan();
 
+/// Lets SDL take what the window system sends, which the engine reads later; without SDL does
+/// nothing. True: the window was closed.
+bool answer_window_system();
+
 class SdlWindow final : public refresh::SurfaceProvider {
 public:
     /// `window` is SDL's.

@@ -38,5 +38,20 @@ TEST(MaterialTable, OursIsRight) {
     EXPECT_EQ(table.at("vigil/marble_floor").roughness, 0.1f);
 }
 
+TEST(MaterialTable, LightReplacesTheLevels) {
+    const MaterialTable table = parse_material_table(
+        "x.json",
+        R"({"A": {"light": 120}, "b": {"light": 0, "specular": 0.1}, "c": {"specular": 0.1}})");
+    EXPECT_EQ(table.at("a").light, 120.0f);
+    EXPECT_EQ(table.at("a").specular, 0.0f);
+    EXPECT_EQ(table.at("b").light, 0.0f);
+    EXPECT_EQ(table.at("c").light, std::nullopt);
+    for (const char* light : {"-1", "10001", "1e300", "null", "\"on\""})
+        EXPECT_THROW(
+            parse_material_table("x.json", fmt::format(R"({{"a": {{"light": {}}}}})", light)),
+            Error)
+            << light;
+}
+
 } // namespace
 } // namespace vigil::test

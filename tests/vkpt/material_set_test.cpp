@@ -119,6 +119,22 @@ TEST_F(MaterialSetTest, GlossComesFromMaterialsJson) {
     EXPECT_FALSE(red.flags & shader::MATERIAL_GLOSSY) << "no reflectance, no gloss";
 }
 
+TEST_F(MaterialSetTest, LightOfMaterialsJsonReplacesTheLevels) {
+    write("materials.json", R"({"test/sand": {"light": 50}, "test/red": {"light": 0}})");
+    MaterialSet materials(files_, textures_);
+    const auto& sand = materials.world_material(bsp_, add("test/sand"));
+    EXPECT_EQ(sand.radiance, textures_.texture("test/sand").mean * 5.0f);
+    EXPECT_TRUE(materials.materials()[sand.index].flags & shader::MATERIAL_EMISSIVE);
+    EXPECT_FALSE(materials.materials()[sand.index].flags & shader::MATERIAL_GLOSSY);
+    const uint32_t lamp = add("test/red");
+    bsp_.texinfos[lamp].flags |= SURF_LIGHT;
+    bsp_.texinfos[lamp].value = 100;
+    EXPECT_EQ(materials.world_material(bsp_, lamp).radiance, glm::vec3(0.0f));
+    const uint32_t sky = add("test/sand");
+    bsp_.texinfos[sky].flags |= SURF_SKY;
+    EXPECT_EQ(materials.world_material(bsp_, sky).radiance, glm::vec3(0.0f));
+}
+
 TEST_F(MaterialSetTest, WrongMaterialsJsonIsNamedAndIgnored) {
     for (const char* text : {"{", "[1, 2]", R"({"test/sand": 5})",
                              R"({"test/sand": {"roughness": "smooth", "specular": 1}})",

@@ -3,9 +3,11 @@
 #include "common/memory_source.h"
 #include "yamagi/engine.h"
 #include "yamagi/level_lights.h"
+#include "yamagi/level_view.h"
 #include "yamagi/screen.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace vigil::yamagi {
@@ -64,33 +66,46 @@ TEST(Pictures, HaveFilesInSeveralFormats) {
         EXPECT_EQ(picture_file(files, name), std::nullopt) << name;
 }
 
+std::vector<LevelLight> lights_of(const Bsp& bsp, EntityLights wanted,
+                                  const MaterialTable& materials = {}) {
+    return entity_lights(Level{"test", bsp, {}}, materials, wanted);
+}
+
+TEST(Views, WaverUnderWater) {
+    float widest = 0.0f, most = 0.0f;
+    double fov = 0.0, roll = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        refresh::View view;
+        view.fov_y = 60.0f;
+        waver(view, 1000.0 + 0.025 * i); // one turn
+        widest = std::max(widest, std::abs(view.fov_y - 60.0f));
+        most = std::max(most, std::abs(view.angles.z));
+        fov += static_cast<double>(view.fov_y) / 100;
+        roll += static_cast<double>(view.angles.z) / 100;
+    }
+    EXPECT_NEAR(widest, 1.2f, 0.01f);
+    EXPECT_NEAR(most, 1.0f, 0.01f);
+    EXPECT_NEAR(fov, 60.0, 1e-3);
+    EXPECT_NEAR(roll, 0.0, 1e-3);
+}
+
 TEST(LevelLights, AreThoseOfEntitiesOrOfStarts) {
     Bsp bsp;
-    bsp.texinfos.resize(2);
-    bsp.faces.resize(1);
-    EXPECT_FALSE(has_own_light(bsp));
-    bsp.texinfos[1] = {{}, {}, SURF_LIGHT, 100, "lamp", -1};
-    EXPECT_FALSE(has_own_light(bsp)) << "no face has it";
-    bsp.faces[0].texinfo = 1;
-    EXPECT_TRUE(has_own_light(bsp));
-    bsp.texinfos[1].value = 0;
-    EXPECT_FALSE(has_own_light(bsp));
-    bsp.texinfos[1].flags = SURF_SKY;
-    EXPECT_TRUE(has_own_light(bsp));
-
     const std::string starts = R"({ "classname" "worldspawn" }
         { "classname" "info_player_start" "origin" "1 2 3" })";
     bsp.entities = parse_entities("starts", starts);
-    const auto over = entity_lights(bsp);
+    const auto over = lights_of(bsp, EntityLights::WhereNothingShines);
     ASSERT_EQ(over.size(), 1);
     EXPECT_EQ(over[0].origin, glm::vec3(1, 2, 43));
+    EXPECT_TRUE(lights_of(bsp, EntityLights::None).empty());
 
     bsp.entities = parse_entities("lights", starts + R"(
         { "classname" "light" "origin" "8 9 10" "light" "200" "_color" "0.5 0.25 0" "style" "3" }
-        { "classname" "light" "light" "400" }
+        { "classname" "light_torch_small_walltorch" "light" "400" }
         { "classname" "light" "light" "-5" }
+        { "classname" "light_mine1" }
         { "classname" "light" "style" "999" })");
-    const auto lights = entity_lights(bsp);
+    const auto lights = lights_of(bsp, EntityLights::WhereNothingShines);
     ASSERT_EQ(lights.size(), 3);
     EXPECT_EQ(lights[0].origin, glm::vec3(8, 9, 10));
     EXPECT_EQ(lights[0].style, 3);
@@ -100,6 +115,36 @@ TEST(LevelLights, AreThoseOfEntitiesOrOfStarts) {
     EXPECT_NEAR(seen, 20.0f * 100.0f / 255.0f, 0.01f);
     EXPECT_FLOAT_EQ(lights[0].radiance.y, 0.5f * lights[0].radiance.x);
     EXPECT_FLOAT_EQ(lights[1].radiance.y, 8.0f * lights[0].radiance.x);
+}
+
+TEST(LevelLights, StandForWhatDoesNotShine) {
+    // A square of 64 units at the height 0, whose front looks up; no visibility: all is seen.
+    Bsp bsp;
+    bsp.vertices = {{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, 0}};
+    bsp.edges = {{0, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    bsp.surf_edges = {1, 2, 3, 4};
+    bsp.planes.resize(1);
+    bsp.planes[0].normal = {0, 0, 1};
+    bsp.models.resize(1);
+    bsp.leafs.resize(1);
+    bsp.models[0].headnode = -1;
+    bsp.faces.resize(1);
+    bsp.faces[0].edge_count = 4;
+    bsp.texinfos = {{{}, {}, SURF_LIGHT, 100, "Lamp", -1}};
+    bsp.entities = parse_entities("lights", R"(
+        { "classname" "light" "origin" "32 32 40" "light" "200" }
+        { "classname" "light" "origin" "32 500 40" "light" "200" })");
+    const auto found = [&](EntityLights wanted, const MaterialTable& materials = {}) {
+        return lights_of(bsp, wanted, materials).size();
+    };
+    EXPECT_EQ(found(EntityLights::All), 2);
+    EXPECT_EQ(found(EntityLights::WhereNothingShines), 1) << "one has a lamp in its reach";
+    EXPECT_EQ(found(EntityLights::WhereNothingShines, {{"lamp", {1, 0, 0.0f}}}), 2);
+    bsp.texinfos[0].value = 0;
+    EXPECT_EQ(found(EntityLights::WhereNothingShines), 2) << "it does not shine";
+    EXPECT_EQ(found(EntityLights::WhereNothingShines, {{"lamp", {1, 0, 80.0f}}}), 1);
+    bsp.texinfos[0].flags = SURF_SKY;
+    EXPECT_EQ(found(EntityLights::WhereNothingShines), 1);
 }
 
 } // namespace

@@ -146,7 +146,7 @@ def pictures(folder: Path) -> None:
                                 ("i_powerscreen", "S", AMBER), ("i_jacketarmor", "A", GREEN), ("i_combatarmor", "A", AMBER),
                                 ("i_bodyarmor", "A", RED), ("i_pack", "P", WHITE), ("a_shells", "s", AMBER),
                                 ("a_bullets", "b", AMBER), ("a_cells", "c", GREEN), ("a_grenades", "g", GREEN),
-                                ("a_rockets", "r", RED), ("a_slugs", "l", AMBER), ("w_blaster", "B", AMBER),
+                                ("a_rockets", "r", RED), ("a_slugs", "l", AMBER), ("w_blaster", "B", AMBER), ("w_rlauncher", "R", RED),
                                 ("p_quad", "Q", AMBER), ("p_silencer", "s", GREY), ("p_rebreather", "O", GREEN),
                                 ("p_envirosuit", "E", GREEN), ("p_invulnerability", "I", RED), ("p_adrenaline", "+", RED)):
         save(name, icon(letter, color))
@@ -205,6 +205,7 @@ bind SHIFT +speed
 bind MOUSE1 +attack
 bind MOUSE2 +moveup
 bind 1 "use Blaster"
+bind 7 "use Rocket Launcher"
 bind TAB inven
 bind ENTER invuse
 bind ` toggleconsole

@@ -235,6 +235,18 @@ def blaster_pose(frame: int, box: Box) -> list[Move]:
     return [Move(shift=(0, 0, -4.0 * (frame - 52)))]
 
 
+def launcher_pose(frame: int, box: Box) -> list[Move]:
+    """As the blaster: it comes (5 frames), fires (8), rests (38), and goes (4)."""
+    if frame < 5:
+        return [Move(shift=(0, 0, -3.0 * (4 - frame)))]
+    if frame < 13:
+        kick = 5.0 * (13 - frame) / 8
+        return [Move(pitch=-1.5 * kick, pivot=(8, 0, -8), shift=(-kick, 0, 0))]
+    if frame < 51:
+        return [Move(shift=(0, 0, 0.15 * math.sin(2 * math.pi * (frame - 13) / 38)))]
+    return [Move(shift=(0, 0, -4.0 * (frame - 50)))]
+
+
 def burst(frames: int, low: float, high: float) -> Callable[[int, Box], list[Move]]:
     return lambda frame, box: [Move(scale=low + (high - low) * frame / max(frames - 1, 1))]
 
@@ -289,6 +301,12 @@ def write_all(folder: Path) -> None:
             Box((26, -6, -10), (30, -4, -8), STEEL), Box((6, -6.5, -15), (11, -3.5, -10), STRAP),
             Box((5, -8, -18), (10, -2, -12), SKIN_TONE), Box((12, -7.2, -9.6), (18, -2.8, -8.6), AMBER)]
     thing("models/weapons/v_blast", view, 56, blaster_pose)
+    tube = [Box((4, -8, -12), (30, -2, -6), DARK), Box((30, -8.6, -12.6), (34, -1.4, -5.4), STEEL),
+            Box((8, -6, -6), (16, -4, -4), RED), Box((6, -6.5, -17), (11, -3.5, -11), STRAP),
+            Box((5, -8, -19), (10, -2, -13), SKIN_TONE), Box((16, -8.3, -10), (24, -1.7, -9), AMBER)]
+    thing("models/weapons/v_rocket", tube, 55, launcher_pose)
+    thing("models/objects/rocket", [Box((-10, -2, -2), (8, 2, 2), STEEL), Box((8, -1.2, -1.2), (12, 1.2, 1.2), RED),
+                                    Box((-10, -4, -0.4), (-4, 4, 0.4), DARK), Box((-10, -0.4, -4), (-4, 0.4, 4), DARK)])
     thing("models/objects/laser", [Box((-8, -1, -1), (8, 1, 1), AMBER)], 1)
     thing("models/objects/flash", ball(5, AMBER), 2, burst(2, 1, 0.5))
     thing("models/objects/smoke", ball(4, STEEL), 4, burst(4, 1, 2))

@@ -23,6 +23,7 @@ constexpr int longest_pause = 10;
 /// Glow of a player is above the head: inside the body nothing would see it.
 constexpr float player_glow_height = 40.0f;
 constexpr uint8_t player_model_index = 255;
+constexpr float translucent_alpha = 0.7f; // as in the game
 constexpr int weapon_entity = 4 * dm2::most_entities;
 
 bool jumps(const glm::vec3& from, const glm::vec3& to, float farthest) {
@@ -51,6 +52,17 @@ int automatic_frame(uint32_t effects, double time_s) {
     if ((effects & dm2::EF_ANIM_ALL) != 0) return half;
     if ((effects & dm2::EF_ANIM_ALLFAST) != 0) return static_cast<int>(10.0 * time_s);
     return -1;
+}
+
+/// Radiance that the flags of a model ask for.
+float glow_of(const dm2::EntityState& entity, double time_s) {
+    const auto has = [&](uint32_t flag) { return (entity.render_flags & flag) != 0; };
+    if (has(dm2::RF_FULLBRIGHT)) return refresh::particle_radiance;
+    float glow = has(dm2::RF_MINLIGHT) ? refresh::game_min_light : 0.0f;
+    if (has(dm2::RF_GLOW))
+        glow += refresh::game_pickup_glow *
+                (0.5f + 0.5f * static_cast<float>(std::sin(refresh::game_pickup_speed * time_s)));
+    return glow * refresh::particle_radiance;
 }
 
 } // namespace
@@ -239,6 +251,10 @@ void DemoPlayer::show_player(PlayedScene& scene, Session& session) {
     weapon.frame = now.weapon_frame;
     weapon.old_frame = same ? old.weapon_frame : now.weapon_frame;
     weapon.backlerp = 1.0f - part;
+    // As the game's client: it reaches into walls, is never quite dark, and rolls the other way.
+    weapon.angles.z = -weapon.angles.z;
+    weapon.flags = refresh::entity_weapon;
+    weapon.glow = glm::vec3(refresh::game_min_light * refresh::particle_radiance);
     scene.entities.push_back(weapon);
 }
 
@@ -280,6 +296,8 @@ void DemoPlayer::show_entity(const dm2::EntityState& entity, PlayedScene& scene,
         shown.frame = shown.old_frame = frame;
     // 256 and more are colours of other things than skins.
     shown.skin = is_player || entity.skin > 0xff ? 0 : static_cast<int>(entity.skin);
+    const float glow = glow_of(entity, time_s);
+    if ((entity.render_flags & dm2::RF_TRANSLUCENT) != 0) shown.alpha = translucent_alpha;
     for (size_t slot = 0; slot < entity.models.size(); ++slot) {
         // A second model 255 is the player's weapon, whose file his own model names.
         if (entity.models[slot] == 0 || (slot > 0 && entity.models[slot] == player_model_index))
@@ -288,7 +306,7 @@ void DemoPlayer::show_entity(const dm2::EntityState& entity, PlayedScene& scene,
         shown.model = model(entity.models[slot], entity, session);
         const auto name = strings_.find(dm2::CS_MODELS + entity.models[slot]);
         const bool sprite = name != strings_.end() && name->second.ends_with(".sp2");
-        shown.glow = glm::vec3(sprite ? refresh::particle_radiance : 0.0f);
+        shown.glow = glm::vec3(sprite ? refresh::particle_radiance : glow);
         if (shown.model >= 0) scene.entities.push_back(shown);
     }
 }

@@ -4,6 +4,7 @@
 
 #include "client/measure/commit.h"
 #include "client/measure/picture_file.h"
+#include "common/ascii_case.h"
 #include "common/log.h"
 #include "common/stopwatch.h"
 #include "console/outdir.h"
@@ -16,6 +17,8 @@
 namespace vigil::client {
 
 namespace {
+
+constexpr std::string_view radiance_extension = ".exr";
 
 /// What the paper's figures 11 and 12 put together: preparation, and path tracing by technique.
 std::vector<PassSum> pass_sums() {
@@ -69,7 +72,12 @@ void TimedRun::end_frame(Session& session, double seconds) {
     const bool pictured = !plan_.prefix.empty() && frame_count() % plan_.every == 0;
 
     // Waiting for the picture is rendering time; encoding and writing it is not.
-    if (pictured) {
+    if (pictured && ends_nocase(plan_.prefix, radiance_extension)) {
+        const refresh::RadiancePicture picture = session.renderer().read_radiance();
+        record.seconds = seconds + watch.seconds();
+        write_exr(picture_path(pictures_), picture);
+        ++pictures_;
+    } else if (pictured) {
         const refresh::Picture picture = session.renderer().read_picture(false);
         record.seconds = seconds + watch.seconds();
         write_png(picture_path(pictures_), picture);
@@ -99,7 +107,10 @@ void TimedRun::end(Session& session) {
 }
 
 std::filesystem::path TimedRun::picture_path(int number) const {
-    return output_path(fmt::format("{}_{:03}.png", plan_.prefix, number));
+    std::string_view name = plan_.prefix;
+    const bool radiance = ends_nocase(name, radiance_extension);
+    if (radiance) name.remove_suffix(radiance_extension.size());
+    return output_path(fmt::format("{}_{:03}.{}", name, number, radiance ? "exr" : "png"));
 }
 
 void TimedRun::check_outputs() const {

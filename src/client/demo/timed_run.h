@@ -22,10 +22,12 @@ struct RunPlan {
     std::string kind = "route"; ///< or "demo", for the report
     std::string name;           ///< of the route or demo, for the report
     double fps = 20.0;          ///< frames per second of the level's time
-    std::string prefix;         ///< pictures PREFIX_000.png, PREFIX_001.png, ...; empty: none
-    int every = 1;              ///< one picture for so many frames
-    std::string json;           ///< name of the report below outdir; empty: none
-    glm::ivec2 size{0};         ///< of the picture, for the report
+    /// Pictures PREFIX_000.png, PREFIX_001.png, ...; empty: none. NAME.exr: linear radiance as
+    /// NAME_000.exr, ...
+    std::string prefix;
+    int every = 1;      ///< one picture for so many frames
+    std::string json;   ///< name of the report below outdir; empty: none
+    glm::ivec2 size{0}; ///< of the picture, for the report
 };
 
 class TimedRun {

@@ -73,13 +73,17 @@ const MaterialSet::WorldMaterial& MaterialSet::world_material(const Bsp& bsp, ui
     if (info.flags & SURF_FLOWING) material.flags |= shader::MATERIAL_FLOWING;
     WorldMaterial result;
     result.uv_size = first.uv_size;
-    if (is_emissive(info)) {
+    const auto gloss = gloss_.find(ascii_lower(info.texture));
+    float light = is_emissive(info) ? static_cast<float>(info.value) : 0.0f;
+    if (gloss != gloss_.end() && (info.flags & (SURF_SKY | SURF_NODRAW)) == 0)
+        light = gloss->second.light.value_or(light);
+    if (light > 0.0f) {
         material.flags |= shader::MATERIAL_EMISSIVE;
-        result.radiance = first.mean * (static_cast<float>(info.value) * radiance_per_light_value);
+        result.radiance = first.mean * (light * radiance_per_light_value);
     }
     if (info.flags & SURF_TRANS33) result.coverage = coverage_trans33;
     if (info.flags & SURF_TRANS66) result.coverage = coverage_trans66;
-    if (const auto gloss = gloss_.find(ascii_lower(info.texture)); gloss != gloss_.end()) {
+    if (gloss != gloss_.end() && gloss->second.specular > 0.0f) {
         material.flags |= shader::MATERIAL_GLOSSY;
         material.roughness = gloss->second.roughness;
         material.specular = gloss->second.specular;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Materials: what a texinfo, a mesh material or a skin looks like to the path tracer. Gloss comes
-// from materials.json of the game folder; everything else from the level.
+// Materials: what a texinfo, a mesh material or a skin looks like to the path tracer. Gloss, and
+// where it says so light, comes from materials.json of the game folder; all else from the level.
 #pragma once
 
 #include "formats/bsp.h"
