@@ -8,6 +8,7 @@ from painter import (canvas, cells, cloud, coordinates, emboss, mix, rivets, sea
                      streaks, times)
 
 SIZE = (256, 256)
+FINE = (512, 512)
 
 
 def flat(colour):
@@ -42,17 +43,44 @@ def concrete_panel(colour, seed):
     image = times(image, 1 + .18 * np.maximum(seam(x - 2, 128, 1.5), seam(y - 2, 128, 1.5)))
     spots = [(a + i, b + j) for a in (0, 128) for b in (0, 128) for i in (26, 102)
              for j in (26, 102)]
-    return times(image, 1 - .5 * rivets(SIZE, spots, 3.2))
+    image = times(image, 1 - .5 * rivets(SIZE, spots, 3.2))
+    # Runs of rust and soot below the anchors, blotches of damp.
+    run = smooth(.9, 2.4, streaks(SIZE, seed + 4, "y", .10, 1.0))
+    image = mix(image, np.array(colour) * (.52, .44, .36), .55 * run)
+    damp = smooth(.6, 2.0, cloud(SIZE, seed + 5, 1.6, 2))
+    return times(image, 1 - .28 * damp)
 
 
 def floor_painted(seed):
-    """A worn, painted hall floor in two greys with expansion joints."""
-    image = concrete((.26, .27, .275), seed)
-    wear = smooth(.2, 1.6, cloud(SIZE, seed + 5, 1.4, 2))
-    image = mix(image, (.36, .35, .33), .6 * wear)
-    x, y = coordinates(SIZE)
-    joint = np.maximum(seam(x, 256, 3), seam(y, 256, 3))
-    return times(image, 1 - .5 * joint)
+    """A hall floor: grey paint rubbed through to the concrete, tyre marks, oil, cut joints."""
+    x, y = coordinates(FINE)
+    image = times(canvas(FINE, (.20, .205, .205)), grain(FINE, seed, .04, .07))
+    rough = cloud(FINE, seed + 6, .7, 10)
+    worn = smooth(.5, 1.3, cloud(FINE, seed + 5, 1.5, 2) + .25 * rough)
+    image = mix(image, times(canvas(FINE, (.32, .305, .275)), 1 + .06 * rough), .75 * worn)
+    # Chips of paint, dark marks of turning tyres, drops of oil.
+    chip = smooth(2.0, 2.4, cloud(FINE, seed + 7, .8, 6))
+    image = mix(image, (.36, .34, .31), .8 * chip)
+    rng = np.random.default_rng(seed)
+    for _ in range(7):
+        cx, cy, radius = rng.uniform(-256, 768), rng.uniform(-256, 768), rng.uniform(150, 420)
+        away = wrapped_ring(x, y, cx, cy, radius)
+        tread = .55 + .45 * np.sign(np.sin((x + y) * 1.1)) * (away < 9)
+        mark = (1 - smooth(6, 9, away)) * smooth(-.6, 1.2, cloud(FINE, seed + int(radius), 1.3, 2))
+        image = times(image, 1 - .42 * mark * tread)
+    oil = smooth(1.5, 2.3, cloud(FINE, seed + 8, 1.6, 3))
+    image = times(image, 1 - .55 * oil)
+    joint = np.maximum(seam(x, 512, 3), seam(y, 512, 3))
+    return times(image, 1 - .6 * joint)
+
+
+def wrapped_ring(x, y, cx, cy, radius):
+    """Distance of pixels of a fine canvas from a circle that wraps at the borders."""
+    best = np.full(x.shape, np.inf)
+    for dx in (-512, 0, 512):
+        for dy in (-512, 0, 512):
+            best = np.minimum(best, np.abs(np.hypot(x - cx - dx, y - cy - dy) - radius))
+    return best
 
 
 def plaster(colour, seed):

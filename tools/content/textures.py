@@ -22,7 +22,7 @@ TABLE = {
     "concrete": (stone.concrete, dict(colour=(.36, .35, .33), seed=1), None),
     "concrete_dark": (stone.concrete, dict(colour=(.19, .19, .19), seed=2), None),
     "concrete_panel": (stone.concrete_panel, dict(colour=(.42, .41, .38), seed=3), None),
-    "floor_painted": (stone.floor_painted, dict(seed=4), (.35, .04)),
+    "floor_painted": (stone.floor_painted, dict(seed=4), (.22, .04)),
     "plaster": (stone.plaster, dict(colour=(.62, .60, .54), seed=5), None),
     "plaster_green": (stone.plaster, dict(colour=(.30, .42, .33), seed=6), None),
     "plaster_red": (stone.plaster, dict(colour=(.36, .075, .06), seed=7), None),
