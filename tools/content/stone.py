@@ -170,28 +170,41 @@ def marble_floor(seed):
 
 
 def rock(colour, seed):
-    """Layered, fractured rock."""
-    first, second, index = cells(SIZE, 60, seed)
-    warp = cloud(SIZE, seed + 1, 1.4, 2)
-    height = 1.1 * warp + .5 * cloud(SIZE, seed + 2, 1.0, 6) + .5 * streaks(SIZE, seed + 3,
-                                                                           "x", .3, 1.1)
-    crack = 1 - smooth(.5, 3.2, second - first + 1.6 * cloud(SIZE, seed + 4, .9, 8))
+    """Fractured rock: ledges, two sizes of blocks with dark cracks between, pale scars, grit."""
+    warp = cloud(FINE, seed + 1, 1.4, 2)
+    grit = cloud(FINE, seed + 2, .6, 16)
+    ledge = streaks(FINE, seed + 3, "x", .3, 1.1)
+    height = 2.6 * warp + 1.6 * ledge + .55 * grit + .8 * cloud(FINE, seed + 7, 1.0, 8)
     rng = np.random.default_rng(seed)
-    tone = rng.normal(1, .09, 60)[index]
-    image = times(canvas(SIZE, colour), tone * (1 + .10 * warp))
-    image[..., 0] *= 1 + .05 * cloud(SIZE, seed + 6, 1.5, 1)
-    image = times(image, emboss(height, .33))
-    return times(image, 1 - .5 * crack)
+    tone = np.ones(warp.shape)
+    crack = np.zeros(warp.shape)
+    for count, wide, deep in ((26, 4.5, .62), (150, 2.6, .34)):
+        first, second, index = cells(FINE, count, seed + count)
+        edge = second - first + 3.2 * cloud(FINE, seed + count + 4, .9, 8)
+        crack = np.maximum(crack, deep * (1 - smooth(.5, wide, edge)))
+        tone *= rng.normal(1, .10, count)[index]
+        height += rng.normal(0, 1.2, count)[index] * smooth(0, 8, edge)
+    image = times(canvas(FINE, colour), tone * (1 + .10 * warp + .05 * grit))
+    warm = cloud(FINE, seed + 6, 1.5, 1)
+    image[..., 0] *= 1 + .07 * warm
+    image[..., 2] *= 1 - .05 * warm
+    scar = smooth(1.3, 2.1, cloud(FINE, seed + 8, 1.2, 4) + .3 * grit)
+    image = mix(image, np.array(colour) * 1.55, .5 * scar)
+    return times(times(image, emboss(height, .16)), 1 - crack)
 
 
 def gravel(colour, seed):
-    """Trodden earth with stones."""
-    first, second, index = cells(SIZE, 260, seed)
+    """Trodden earth with stones of two sizes."""
+    grit = cloud(FINE, seed + 2, .5, 20)
+    image = times(canvas(FINE, colour), grain(FINE, seed, .06, .12) * (1 + .10 * grit))
+    height = .5 * cloud(FINE, seed + 1, .8, 6) + .35 * grit
     rng = np.random.default_rng(seed)
-    size = rng.uniform(.15, 1, 260)[index]
-    stone = smooth(1, 4, second - first) * (size > .72)
-    tone = rng.normal(1.15, .22, 260)[index]
-    soil = times(canvas(SIZE, colour), grain(SIZE, seed, .10, .10))
-    image = mix(soil, times(canvas(SIZE, np.array(colour) * 1.25), tone), stone)
-    height = stone * np.clip(9 - first, 0, 9) / 9 + .25 * cloud(SIZE, seed + 1, .8, 6)
-    return times(image, emboss(height, .4))
+    for count, share, top in ((700, .45, 7), (170, .22, 15)):
+        first, second, index = cells(FINE, count, seed + count)
+        keep = rng.uniform(0, 1, count)[index] < share
+        stone = smooth(1.5, 4.5, second - first + 1.2 * grit) * keep
+        tone = rng.normal(1.15, .22, count)[index]
+        pale = times(canvas(FINE, np.array(colour) * 1.3), tone * (1 + .08 * grit))
+        image = mix(image, pale, stone)
+        height = height + 1.4 * stone * np.clip(top - first, 0, top) / 3
+    return times(image, emboss(height, .26))
