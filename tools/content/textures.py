@@ -110,6 +110,7 @@ TABLE = {
     "lamp_red": (lamp_face.bulb, dict(colour=(1.0, .08, .04)), None),
     "lamp_green": (lamp_face.bulb, dict(colour=(.12, 1.0, .28)), None),
     "lamp_blue": (lamp_face.bulb, dict(colour=(.16, .36, 1.0)), None),
+    "window_lit": (lamp_face.lit_window, dict(seed=88), None),
     "screen": (lamp_face.screen, dict(seed=60), None),
     "white": (stone.flat, dict(colour=(.75, .75, .75)), None),
     "grey": (stone.flat, dict(colour=(.30, .30, .30)), None),

@@ -230,7 +230,7 @@ def furniture(level):
         for side in (-1, 1):
             bench(level, x, side * (NAVE + 92), 120)
     rng = np.random.default_rng(5)
-    for x, y in ((384, -232), (384, 232), (960, -232), (960, 232)):
+    for x, y in ((192, -232), (1152, -232), (1152, 232)):
         farm.pot(level, x, y, 0, rng, 15)
     for x, y in ((56, -216), (56, 216), (1288, -216), (1288, 216), (1436, 0)):
         vase(level, x, y)
