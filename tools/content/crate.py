@@ -19,11 +19,12 @@ def crate(level, x, y, z, size, kind=0, yaw=0.0):
 
 
 def framed(level, x, y, z, size, kind=0, yaw=0.0):
-    """A crate whose frame stands proud of its boards: posts, rails and a lid, for the foreground."""
+    """A crate for the foreground, whose posts and rails stand proud of its boards."""
     h, w = size / 2, max(2.5, size * .09)
     board = [vigil("planks", scale=.2), vigil("planks_old", scale=.2)][kind % 2]
     wood = vigil("beam", scale=.2)
-    parts = [box((x - h + 1.5, y - h + 1.5, z + 1), (x + h - 1.5, y + h - 1.5, z + size - 1), board)]
+    g = h - 1.5
+    parts = [box((x - g, y - g, z + 1), (x + g, y + g, z + size - 1), board)]
     for sx in (-1, 1):
         for sy in (-1, 1):
             a, b = sorted((x + sx * h, x + sx * (h - w)))

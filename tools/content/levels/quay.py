@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The level `quay`: a harbour front at dusk. The sky is nearly dark; many small lamps light the place.
+"""The level `quay`: a harbour front at dusk, under a nearly dark sky, lit by many small lamps.
 
 A row of houses looks over a paved quay to the water. Strings of bulbs hang from the houses to lamp
 posts at the edge; stalls have lanterns, windows are lit, boats carry a light.
@@ -108,7 +108,8 @@ def front(level, rng, x0, x1, eaves, wall, storeys):
 def window(level, x, z, lit):
     """A window 36 x 52 on the houses' front: pane, frame, sill, shutters [1 when lit]."""
     pane = vigil("window_lit").emissive(60).fitted() if lit else vigil("black")
-    level.add_detail(box((x - 16, FRONT - 1, z), (x + 16, FRONT, z + 48), {"all": WOOD, "-y": pane}),
+    level.add_detail(box((x - 16, FRONT - 1, z), (x + 16, FRONT, z + 48),
+                         {"all": WOOD, "-y": pane}),
                      box((x - 22, FRONT - 6, z - 5), (x + 22, FRONT, z), STONE))
     for a, b in ((-19, -16), (16, 19)):
         level.add_detail(box((x + a, FRONT - 3, z), (x + b, FRONT, z + 51), WOOD))
@@ -162,7 +163,8 @@ def stall(level, rng, x, y, kind):
     crate.load(level, rng, (x - 50, y - 24, 32), (x + 40, y + 2), 16)
     for i, paint in enumerate(("metal_red", "metal_orange", "metal_green", "paint_yellow")):
         at = x - 42 + 26 * i
-        level.add_detail(box((at - 11, y - 46, 8), (at + 11, y - 30, 18), vigil("planks", scale=.2)),
+        level.add_detail(box((at - 11, y - 46, 8), (at + 11, y - 30, 18),
+                             vigil("planks", scale=.2)),
                          box((at - 9, y - 44, 18), (at + 9, y - 32, 21), vigil(paint)))
     lantern(level, x, y - 14, 92, 520)
 
@@ -195,7 +197,8 @@ def boat(level, x, y, yaw, light):
 def things(level, rng):
     """Bollards with rings, barrels, crates, fish boxes, a bench under each of two trees, pots."""
     for x in range(-560, 1600, 140):
-        level.add_detail(cylinder((x, 14), 6, 4, 20, IRON, 8), cylinder((x, 14), 8, 20, 24, IRON, 8))
+        level.add_detail(cylinder((x, 14), 6, 4, 20, IRON, 8),
+                         cylinder((x, 14), 8, 20, 24, IRON, 8))
     for x, y, size, count in ((-520, 90, 34, 3), (60, 90, 30, 2), (690, 120, 36, 3),
                               (1400, 110, 40, 3)):
         crate.stack(level, rng, x, y, 0, size, count)

@@ -8,8 +8,8 @@ import numpy as np
 import crate
 import lamp
 from brush import beam, box, lying
-from depot import (GIRDER, HAZARD, STEEL, WOOD, cabinet, cone, extinguisher, forklift, girders, grid,
-                   lanes, pallet_truck, pipe_run, wrapped_pallet)
+from depot import (GIRDER, HAZARD, STEEL, WOOD, cabinet, cone, extinguisher, forklift, girders,
+                   grid, lanes, pallet_truck, pipe_run, wrapped_pallet)
 from material import vigil
 from rack import rack, shelf
 from stair import railing, stairs
