@@ -65,10 +65,11 @@ def ground(level):
     """The paved quay with its edge, steps to the water, the water, a mole with a beacon."""
     x0, x1 = LOW[0], HIGH[0]
     level.add(box((x0, 24, LOW[2]), (x1, HIGH[1], 0), {"all": RUBBLE, "top": vigil("cobbles")}),
-              box((x0, LOW[1], LOW[2]), (x1, 0, SEA), WATER_SURFACE))
+              box((x0, LOW[1], LOW[2]), (x1, 0, SEA - 22), vigil("concrete_dark")),
+              box((x0, LOW[1], SEA - 22), (x1, 0, SEA), WATER_SURFACE))
     level.add_detail(box((x0, 0, LOW[2]), (x1, 24, 4), {"all": RUBBLE, "top": STONE}),
                      box((x0, -4, -8), (x1, 0, 4), STONE))
-    stairs(level, (480, -96, -72), (560, 0, 4), "+y", 8, STONE, rails=False)
+    stairs(level, (480, -72, -52), (560, 0, 4), "+y", 6, STONE, rails=False)
     level.add_detail(box((200, -660, LOW[2]), (x1, -610, -4), {"all": RUBBLE, "top": STONE}))
     low = np.column_stack([circle((260, -635), 26, 10), np.full(10, -4.0)])
     high = np.column_stack([circle((260, -635), 17, 10), np.full(10, 120.0)])
