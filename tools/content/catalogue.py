@@ -7,6 +7,7 @@ from typing import Callable
 import gallery
 import many
 import mine
+import quay
 import ring
 import room
 import sky
@@ -34,7 +35,7 @@ class Entry:
 def levels(lights=None):
     """All levels; lights adds a hall with that many lamps."""
     out = [Entry(f.__name__, "test", lambda f=f: (f(), None)) for f in test_rooms.LEVELS]
-    for module in (warehouse, mine, gallery, ring, yard, room):
+    for module in (warehouse, mine, gallery, ring, yard, room, quay):
         out.append(Entry(module.__name__, "game", module.build,
                          getattr(module, "verify", None)))
     for count in [*HALLS, *([lights] if lights else [])]:
@@ -50,7 +51,10 @@ def skies(games):
                    (.85, .78, .70), 5, -.2)
     evening = sky.day(sky.sun_direction(*sky.EVENING_SUN), (.075, .17, .42), (.74, .44, .24),
                       (.15, .12, .09), (.80, .56, .42), 8, -.35)
-    return {"evening": lambda: sky.write_sky(games["game"] / "env", "evening", 256, evening),
+    afterglow = sky.afterglow(sky.sun_direction(158, 0), (.016, .028, .075), (.06, .06, .10),
+                              (.62, .22, .06), (.30, .13, .10), 12)
+    return {"afterglow": lambda: sky.write_sky(games["game"] / "env", "afterglow", 256, afterglow),
+            "evening": lambda: sky.write_sky(games["game"] / "env", "evening", 256, evening),
             "dusk": lambda: sky.write_sky(games["game"] / "env", "dusk", 256, dusk),
             "court": lambda: sky.write_sky(games["test"] / "env", "court", 64, court)}
 

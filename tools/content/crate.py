@@ -18,6 +18,27 @@ def crate(level, x, y, z, size, kind=0, yaw=0.0):
     level.add_detail(brush.turned(yaw, (x, y, z)) if yaw else brush)
 
 
+def framed(level, x, y, z, size, kind=0, yaw=0.0):
+    """A crate for the foreground, whose posts and rails stand proud of its boards."""
+    h, w = size / 2, max(2.5, size * .09)
+    board = [vigil("planks", scale=.2), vigil("planks_old", scale=.2)][kind % 2]
+    wood = vigil("beam", scale=.2)
+    g = h - 1.5
+    parts = [box((x - g, y - g, z + 1), (x + g, y + g, z + size - 1), board)]
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            a, b = sorted((x + sx * h, x + sx * (h - w)))
+            c, d = sorted((y + sy * h, y + sy * (h - w)))
+            parts.append(box((a, c, z), (b, d, z + size), wood.turned()))
+    for low in (z, z + size - w):
+        for s in (-1, 1):
+            a, b = sorted((y + s * h, y + s * (h - w)))
+            parts.append(box((x - h + w, a, low), (x + h - w, b, low + w), wood))
+            a, b = sorted((x + s * h, x + s * (h - w)))
+            parts.append(box((a, y - h + w, low), (b, y + h - w, low + w), wood))
+    level.add_detail(*[p.turned(yaw, (x, y, z)) for p in parts])
+
+
 def carton(level, lo, hi):
     level.add_detail(box(lo, hi, CARTON))
 

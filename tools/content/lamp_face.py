@@ -51,3 +51,15 @@ def screen(seed):
     plot = rectangle(size, 35, 6, 60, 58)
     image = mix(image, (.05, .22, .30), plot)
     return mix(image, (.9, .8, .3), plot * (np.abs(y - curve) < 1.5))
+
+
+def lit_window(seed):
+    """A window at night, 64 x 64: a warm room behind drawn curtains, bars before it."""
+    size = (64, 64)
+    x, y = coordinates(size)
+    fold = .06 * np.sin(x / 1.7 + seed) + .05 * np.sin(x / 3.1)
+    image = times(canvas(size, (1.0, .60, .24)), .62 + .38 * smooth(64, 8, y) + fold)
+    curtain = smooth(22, 15, np.minimum(x, 64 - x) + 4 * np.sin(y / 14))
+    image = mix(image, times(canvas(size, (.62, .22, .07)), .8 + 2.5 * fold), curtain * .85)
+    bars = np.maximum(rectangle(size, 30, 0, 34, 64), rectangle(size, 0, 30, 64, 33))
+    return mix(image, (.03, .02, .015), bars)

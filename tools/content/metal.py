@@ -50,7 +50,9 @@ def corrugated(colour, seed):
     shade = 1 + .28 * np.sin(2 * np.pi * x / 32) + .06 * wave
     image = times(worn(SIZE, colour, seed), shade)
     dirt = smooth(.4, 1.8, streaks(SIZE, seed + 3, "y", .15, .9))
-    return mix(image, (.20, .13, .08), .35 * dirt)
+    image = mix(image, (.20, .13, .08), .5 * dirt)
+    rusty = smooth(1.2, 2.2, cloud(SIZE, seed + 4, 1.3, 3))
+    return mix(image, (.26, .115, .05), .6 * rusty)
 
 
 def painted(colour, seed):

@@ -6,8 +6,20 @@ import numpy as np
 from painter import canvas, cloud, coordinates, mix, rectangle, smooth, streaks, times
 from wood import write_text
 
-WIDE = (192, 128)
-SQUARE = (128, 128)
+# Paintings are painted in units of two pixels.
+WIDE = (384, 256)
+SQUARE = (256, 256)
+
+
+def halves(size):
+    """Pixel centres in a painting's units."""
+    x, y = coordinates(size)
+    return x / 2, y / 2
+
+
+def block(size, x0, y0, x1, y1):
+    """Mask of a rectangle in a painting's units."""
+    return rectangle(size, 2 * x0, 2 * y0, 2 * x1, 2 * y1)
 
 
 def water(seed):
@@ -32,7 +44,7 @@ def varnish(image, seed):
 
 def dunes(seed):
     """A desert at dusk."""
-    x, y = coordinates(WIDE)
+    x, y = halves(WIDE)
     image = canvas(WIDE, (.62, .30, .12))
     image = mix(image, (.09, .13, .30), 1 - smooth(0, 80, y))
     sun = np.hypot(x - 140, y - 52)
@@ -50,16 +62,16 @@ def squares(seed):
     for x0, y0, x1, y1, colour in [(0, 0, 60, 52, (.55, .06, .04)), (120, 76, 192, 128,
                                    (.06, .11, .42)), (66, 92, 114, 128, (.66, .48, .05)),
                                    (150, 0, 192, 30, (.05, .05, .05))]:
-        image = mix(image, colour, rectangle(WIDE, x0, y0, x1, y1))
+        image = mix(image, colour, block(WIDE, x0, y0, x1, y1))
     for x0, y0, x1, y1 in [(60, 0, 66, 128), (114, 0, 120, 128), (0, 52, 192, 58),
                            (66, 86, 192, 92), (150, 0, 154, 58)]:
-        image = mix(image, (.03, .03, .03), rectangle(WIDE, x0, y0, x1, y1))
+        image = mix(image, (.03, .03, .03), block(WIDE, x0, y0, x1, y1))
     return varnish(image, seed)
 
 
 def sea(seed):
     """Waves under a cloudy sky."""
-    x, y = coordinates(WIDE)
+    x, y = halves(WIDE)
     sky = np.clip(.5 + .25 * streaks(WIDE, seed, "x", .4, 1.3), 0, 1)
     image = mix(canvas(WIDE, (.20, .30, .42)), (.62, .60, .54), sky)
     depth = smooth(60, 128, y)
@@ -74,7 +86,7 @@ def sea(seed):
 
 def rings(seed):
     """Concentric rings around two centres."""
-    x, y = coordinates(SQUARE)
+    x, y = halves(SQUARE)
     a = np.hypot(x - 40, y - 48)
     b = np.hypot(x - 92, y - 84)
     image = canvas(SQUARE, (.07, .08, .12))
@@ -86,7 +98,7 @@ def rings(seed):
 def trees(seed):
     """Birches in fog."""
     rng = np.random.default_rng(seed)
-    x, y = coordinates(SQUARE)
+    x, y = halves(SQUARE)
     image = mix(canvas(SQUARE, (.42, .46, .42)), (.20, .25, .17), smooth(90, 118, y))
     for i in range(13):
         near = i / 12
@@ -101,7 +113,7 @@ def trees(seed):
 
 def field(seed):
     """Two soft fields of colour."""
-    x, y = coordinates(SQUARE)
+    x, y = halves(SQUARE)
     image = canvas(SQUARE, (.20, .03, .03))
     wobble = 2 * cloud(SQUARE, seed, 1.2, 2)
     for y0, y1, colour in [(10, 66, (.60, .14, .03)), (74, 116, (.60, .38, .06))]:

@@ -7,6 +7,7 @@ from material import vigil
 
 POST = vigil("metal_blue")
 RAIL = vigil("metal_orange")
+GUARD = vigil("hazard", scale=.2)
 DECK = vigil("planks", scale=.25, turn=True)
 
 
@@ -19,7 +20,8 @@ def rack(level, rng, wall, front, y0, y1, floor, decks, top, bays):
     pitch = (y1 - y0) / bays
     for i in range(bays + 1):
         y = round(min(max(y0 + i * pitch, y0 + 2), y1 - 2))
-        level.add_detail(box((post[0], y - 2, floor), (post[1], y + 2, floor + top), POST))
+        level.add_detail(box((post[0], y - 2, floor), (post[1], y + 2, floor + top), POST),
+                         foot(post, y, front > wall, floor))
     heights = [*decks, top]
     for deck, above in zip(decks, heights[1:]):
         z = floor + deck
@@ -28,6 +30,12 @@ def rack(level, rng, wall, front, y0, y1, floor, decks, top, bays):
         for i in range(bays):
             load(level, rng, (x0 + 2, round(y0 + i * pitch) + 4, z),
                  (x1 - 2, round(y0 + (i + 1) * pitch) - 4), above - deck - 12)
+
+
+def foot(post, y, right, floor):
+    """The striped guard before the foot of an upright."""
+    near, far = (post[1], post[1] + 4) if right else (post[0] - 4, post[0])
+    return box((near, y - 4, floor), (far, y + 4, floor + 20), GUARD)
 
 
 def shelf(level, rng, lo, hi, boards, material=vigil("metal_dark")):

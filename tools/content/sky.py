@@ -74,3 +74,23 @@ def day(sun, zenith, horizon, ground, cloud, seed, cover):
         below = np.clip(-up / 0.06, 0, 1)[:, None]
         return np.clip(sky + (np.asarray(ground) - sky) * below, 0, 1)
     return radiance
+
+
+def afterglow(toward, zenith, horizon, glow, cloud, seed):
+    """The sky after sunset: dark above, a band of warm light over the place where the sun went,
+    streaks of cloud that it lights from below. Colours are linear radiance."""
+    def radiance(d):
+        up = d[:, 2]
+        flat = d[:, :2] / np.maximum(np.linalg.norm(d[:, :2], axis=1), 1e-6)[:, None]
+        near = np.clip(.5 + .5 * flat @ (toward[:2] / np.linalg.norm(toward[:2])), 0, 1)
+        t = np.clip(up, 0, 1) ** .4
+        sky = (1 - t)[:, None] * horizon + t[:, None] * np.asarray(zenith)
+        band = np.exp(-np.clip(up, 0, 1) / .16) * near ** 3
+        sky = sky + band[:, None] * np.asarray(glow)
+        plane = d / np.maximum(up, .06)[:, None] * [.35, .35, 0] + [0, 0, .6]
+        mask = np.clip((waves(plane, seed, 5) - .1) / 1.5, 0, 1) * np.clip(up / .1, 0, 1)
+        lit = np.asarray(cloud) * (.25 + 1.6 * near ** 4 * np.exp(-np.clip(up, 0, 1) / .5))[:, None]
+        sky = sky + (lit - sky) * (.7 * mask)[:, None]
+        below = np.clip(-up / .03, 0, 1)[:, None]
+        return np.clip(sky + (np.asarray(horizon) * .35 - sky) * below, 0, 1)
+    return radiance

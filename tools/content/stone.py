@@ -8,6 +8,7 @@ from painter import (canvas, cells, cloud, coordinates, emboss, mix, rivets, sea
                      streaks, times)
 
 SIZE = (256, 256)
+FINE = (512, 512)
 
 
 def flat(colour):
@@ -42,17 +43,44 @@ def concrete_panel(colour, seed):
     image = times(image, 1 + .18 * np.maximum(seam(x - 2, 128, 1.5), seam(y - 2, 128, 1.5)))
     spots = [(a + i, b + j) for a in (0, 128) for b in (0, 128) for i in (26, 102)
              for j in (26, 102)]
-    return times(image, 1 - .5 * rivets(SIZE, spots, 3.2))
+    image = times(image, 1 - .5 * rivets(SIZE, spots, 3.2))
+    # Runs of rust and soot below the anchors, blotches of damp.
+    run = smooth(.9, 2.4, streaks(SIZE, seed + 4, "y", .10, 1.0))
+    image = mix(image, np.array(colour) * (.52, .44, .36), .55 * run)
+    damp = smooth(.6, 2.0, cloud(SIZE, seed + 5, 1.6, 2))
+    return times(image, 1 - .28 * damp)
 
 
 def floor_painted(seed):
-    """A worn, painted hall floor in two greys with expansion joints."""
-    image = concrete((.26, .27, .275), seed)
-    wear = smooth(.2, 1.6, cloud(SIZE, seed + 5, 1.4, 2))
-    image = mix(image, (.36, .35, .33), .6 * wear)
-    x, y = coordinates(SIZE)
-    joint = np.maximum(seam(x, 256, 3), seam(y, 256, 3))
-    return times(image, 1 - .5 * joint)
+    """A hall floor: grey paint rubbed through to the concrete, tyre marks, oil, cut joints."""
+    x, y = coordinates(FINE)
+    image = times(canvas(FINE, (.20, .205, .205)), grain(FINE, seed, .04, .07))
+    rough = cloud(FINE, seed + 6, .7, 10)
+    worn = smooth(.5, 1.3, cloud(FINE, seed + 5, 1.5, 2) + .25 * rough)
+    image = mix(image, times(canvas(FINE, (.32, .305, .275)), 1 + .06 * rough), .75 * worn)
+    # Chips of paint, dark marks of turning tyres, drops of oil.
+    chip = smooth(2.0, 2.4, cloud(FINE, seed + 7, .8, 6))
+    image = mix(image, (.36, .34, .31), .8 * chip)
+    rng = np.random.default_rng(seed)
+    for _ in range(7):
+        cx, cy, radius = rng.uniform(-256, 768), rng.uniform(-256, 768), rng.uniform(150, 420)
+        away = wrapped_ring(x, y, cx, cy, radius)
+        tread = .55 + .45 * np.sign(np.sin((x + y) * 1.1)) * (away < 9)
+        mark = (1 - smooth(6, 9, away)) * smooth(-.6, 1.2, cloud(FINE, seed + int(radius), 1.3, 2))
+        image = times(image, 1 - .42 * mark * tread)
+    oil = smooth(1.5, 2.3, cloud(FINE, seed + 8, 1.6, 3))
+    image = times(image, 1 - .55 * oil)
+    joint = np.maximum(seam(x, 512, 3), seam(y, 512, 3))
+    return times(image, 1 - .6 * joint)
+
+
+def wrapped_ring(x, y, cx, cy, radius):
+    """Distance of pixels of a fine canvas from a circle that wraps at the borders."""
+    best = np.full(x.shape, np.inf)
+    for dx in (-512, 0, 512):
+        for dy in (-512, 0, 512):
+            best = np.minimum(best, np.abs(np.hypot(x - cx - dx, y - cy - dy) - radius))
+    return best
 
 
 def plaster(colour, seed):
@@ -142,28 +170,41 @@ def marble_floor(seed):
 
 
 def rock(colour, seed):
-    """Layered, fractured rock."""
-    first, second, index = cells(SIZE, 60, seed)
-    warp = cloud(SIZE, seed + 1, 1.4, 2)
-    height = 1.1 * warp + .5 * cloud(SIZE, seed + 2, 1.0, 6) + .5 * streaks(SIZE, seed + 3,
-                                                                           "x", .3, 1.1)
-    crack = 1 - smooth(.5, 3.2, second - first + 1.6 * cloud(SIZE, seed + 4, .9, 8))
+    """Fractured rock: ledges, two sizes of blocks with dark cracks between, pale scars, grit."""
+    warp = cloud(FINE, seed + 1, 1.4, 2)
+    grit = cloud(FINE, seed + 2, .6, 16)
+    ledge = streaks(FINE, seed + 3, "x", .3, 1.1)
+    height = 2.6 * warp + 1.6 * ledge + .55 * grit + .8 * cloud(FINE, seed + 7, 1.0, 8)
     rng = np.random.default_rng(seed)
-    tone = rng.normal(1, .09, 60)[index]
-    image = times(canvas(SIZE, colour), tone * (1 + .10 * warp))
-    image[..., 0] *= 1 + .05 * cloud(SIZE, seed + 6, 1.5, 1)
-    image = times(image, emboss(height, .33))
-    return times(image, 1 - .5 * crack)
+    tone = np.ones(warp.shape)
+    crack = np.zeros(warp.shape)
+    for count, wide, deep in ((26, 4.5, .62), (150, 2.6, .34)):
+        first, second, index = cells(FINE, count, seed + count)
+        edge = second - first + 3.2 * cloud(FINE, seed + count + 4, .9, 8)
+        crack = np.maximum(crack, deep * (1 - smooth(.5, wide, edge)))
+        tone *= rng.normal(1, .10, count)[index]
+        height += rng.normal(0, 1.2, count)[index] * smooth(0, 8, edge)
+    image = times(canvas(FINE, colour), tone * (1 + .10 * warp + .05 * grit))
+    warm = cloud(FINE, seed + 6, 1.5, 1)
+    image[..., 0] *= 1 + .07 * warm
+    image[..., 2] *= 1 - .05 * warm
+    scar = smooth(1.3, 2.1, cloud(FINE, seed + 8, 1.2, 4) + .3 * grit)
+    image = mix(image, np.array(colour) * 1.55, .5 * scar)
+    return times(times(image, emboss(height, .16)), 1 - crack)
 
 
 def gravel(colour, seed):
-    """Trodden earth with stones."""
-    first, second, index = cells(SIZE, 260, seed)
+    """Trodden earth with stones of two sizes."""
+    grit = cloud(FINE, seed + 2, .5, 20)
+    image = times(canvas(FINE, colour), grain(FINE, seed, .06, .12) * (1 + .10 * grit))
+    height = .5 * cloud(FINE, seed + 1, .8, 6) + .35 * grit
     rng = np.random.default_rng(seed)
-    size = rng.uniform(.15, 1, 260)[index]
-    stone = smooth(1, 4, second - first) * (size > .72)
-    tone = rng.normal(1.15, .22, 260)[index]
-    soil = times(canvas(SIZE, colour), grain(SIZE, seed, .10, .10))
-    image = mix(soil, times(canvas(SIZE, np.array(colour) * 1.25), tone), stone)
-    height = stone * np.clip(9 - first, 0, 9) / 9 + .25 * cloud(SIZE, seed + 1, .8, 6)
-    return times(image, emboss(height, .4))
+    for count, share, top in ((700, .45, 7), (170, .22, 15)):
+        first, second, index = cells(FINE, count, seed + count)
+        keep = rng.uniform(0, 1, count)[index] < share
+        stone = smooth(1.5, 4.5, second - first + 1.2 * grit) * keep
+        tone = rng.normal(1.15, .22, count)[index]
+        pale = times(canvas(FINE, np.array(colour) * 1.3), tone * (1 + .08 * grit))
+        image = mix(image, pale, stone)
+        height = height + 1.4 * stone * np.clip(top - first, 0, top) / 3
+    return times(image, emboss(height, .26))

@@ -7,7 +7,8 @@ most places most of each lamp is hidden. They are the level's only lamps.
 
 import numpy as np
 
-from brush import box, circle, cylinder, frustum, prism
+import farm
+from brush import beam, box, circle, cylinder, frustum, prism
 from carver import Carver, Skin
 from map_file import Level
 from material import vigil
@@ -15,7 +16,7 @@ from route import Route
 from stair import railing
 
 LENGTH, NAVE, AISLE = 1344, 272, 176
-HEIGHT, AISLE_HEIGHT = 384, 232
+HEIGHT, AISLE_HEIGHT = 384, 288
 STATUE = (672, 0, 56)
 LAMP_VALUE = 140
 MARBLE = vigil("marble")
@@ -71,22 +72,38 @@ def colonnade(level):
         for x in PILLARS:
             pillar(level, x, y)
         lo, hi = sorted((y - side * 16, y + side * 16))
-        level.add_detail(box((0, lo, 200), (LENGTH, hi, 232), MARBLE),
-                         box((0, lo - 4, 232), (LENGTH, hi + 4, 244), MARBLE))
+        level.add_detail(box((0, lo, 256), (LENGTH, hi, 288), MARBLE),
+                         box((0, lo - 4, 288), (LENGTH, hi + 4, 294), MARBLE),
+                         box((0, lo - 8, 294), (LENGTH, hi + 8, 300), MARBLE))
         # Flat pilasters carry on above the beam.
         for x in PILLARS:
             a, b = sorted((y, y - side * 8))
-            level.add_detail(box((x - 12, a, 244), (x + 12, b, HEIGHT - 20), MARBLE))
+            level.add_detail(box((x - 12, a, 300), (x + 12, b, HEIGHT - 20), MARBLE))
+        # Panels between them, framed by a thin moulding.
+        for x0, x1 in zip(PILLARS, PILLARS[1:]):
+            a, b = sorted((y, y - side * 3))
+            for lo2, hi2 in (((x0 + 26, 312), (x1 - 26, 316)), ((x0 + 26, 350), (x1 - 26, 354)),
+                             ((x0 + 26, 316), (x0 + 30, 350)), ((x1 - 30, 316), (x1 - 26, 350))):
+                level.add_detail(box((lo2[0], a, lo2[1]), (hi2[0], b, hi2[1]), BRASS))
 
 
 def pillar(level, x, y):
     """A column of dark marble on a square base, under a capital that widens."""
     level.add_detail(
-        box((x - 22, y - 22, 0), (x + 22, y + 22, 14), MARBLE),
-        cylinder((x, y), 17, 14, 170, DARK, 8),
-        frustum(np.column_stack([square(x, y, 13), np.full(4, 170.0)]),
-                np.column_stack([square(x, y, 22), np.full(4, 190.0)]), MARBLE),
-        box((x - 24, y - 24, 190), (x + 24, y + 24, 200), MARBLE))
+        box((x - 23, y - 23, 0), (x + 23, y + 23, 10), MARBLE),
+        *turned_drums(x, y, [(10, 22), (14, 22), (19, 18.5)], MARBLE),
+        *turned_drums(x, y, [(19, 17), (90, 16.6), (224, 14)], DARK),
+        *turned_drums(x, y, [(224, 15.5), (228, 15.5)], BRASS),
+        *turned_drums(x, y, [(228, 14), (236, 15.5), (246, 22)], MARBLE),
+        box((x - 24, y - 24, 246), (x + 24, y + 24, 256), MARBLE))
+
+
+def turned_drums(x, y, profile, material, sides=14):
+    """Drums between the (height, radius) pairs of a turned profile."""
+    return [frustum(np.column_stack([circle((x, y), r0, sides), np.full(sides, float(z0))]),
+                    np.column_stack([circle((x, y), r1, sides), np.full(sides, float(z1))]),
+                    material)
+            for (z0, r0), (z1, r1) in zip(profile, profile[1:])]
 
 
 def square(x, y, half):
@@ -130,6 +147,12 @@ def mouldings(level):
     for x in (96, 224, 1120, 1248):
         level.add_detail(box((x - 10, -NAVE + 14, HEIGHT - 18), (x + 10, NAVE - 14, HEIGHT),
                              WALNUT.turned()))
+    # Beams under the wings' ceilings, from every column and between.
+    for side in (-1, 1):
+        a, b = sorted((side * (NAVE + 16), side * end))
+        for x in range(0, LENGTH + 1, 96):
+            level.add_detail(box((max(x - 6, 0), a, AISLE_HEIGHT - 14),
+                                 (min(x + 6, LENGTH), b, AISLE_HEIGHT), WALNUT.turned()))
     # A dark border in the floor around the plinth.
     for half, width in ((208, 8), (176, 4)):
         x, y = STATUE[0], STATUE[1]
@@ -147,7 +170,12 @@ def plinth(level):
                      prism(circle((x, y), 118, 8), 10, top - 8, MARBLE),
                      prism(circle((x, y), 126, 8), top - 8, top, DARK),
                      box((x - 115, y - 24, 22), (x - 108, y + 24, 38), BRASS))
-    for px, py in circle((x, y), 176, 12):
+    posts = circle((x, y), 176, 12)
+    rope = vigil("plaster_red", scale=.25)
+    for a, b in zip(posts, np.roll(posts, -1, axis=0)):
+        line = [(*(a + (b - a) * t), 34 - 34 * t * (1 - t)) for t in (0, .25, .5, .75, 1)]
+        level.add_detail(*[beam(p, q, 2.2, 2.2, rope) for p, q in zip(line, line[1:])])
+    for px, py in posts:
         level.add_detail(box((px - 4, py - 4, 0), (px + 4, py + 4, 2), BRASS),
                          box((px - 1.5, py - 1.5, 2), (px + 1.5, py + 1.5, 36), BRASS),
                          box((px - 3, py - 3, 36), (px + 3, py + 3, 41), BRASS))
@@ -169,11 +197,17 @@ def pictures(level):
         plate(w, middle - h, middle + h, 0, 3, {"all": WALNUT, face: canvas})
         plate(w + 7, middle + h, middle + h + 7, 0, 5, BRASS)
         plate(w + 7, middle - h - 7, middle - h, 0, 5, BRASS)
+        plate(w + 11, middle + h + 7, middle + h + 11, 0, 3, WALNUT)
+        plate(w + 11, middle - h - 11, middle - h - 7, 0, 3, WALNUT)
+        for s in (-1, 1):
+            lo, hi = sorted((x + s * (w + 7), x + s * (w + 11)))
+            a, b = sorted((wall, wall - side * 3))
+            level.add_detail(box((lo, a, middle - h - 7), (hi, b, middle + h + 7), WALNUT))
         for s in (-1, 1):
             a, b = sorted((wall, wall - side * 5))
             lo, hi = sorted((x + s * w, x + s * (w + 7)))
             level.add_detail(box((lo, a, middle - h), (hi, b, middle + h), BRASS))
-        plate(9, middle - h - 22, middle - h - 15, 0, 1, BRASS)
+        plate(9, middle - h - 26, middle - h - 19, 0, 1, BRASS)
 
 
 def bench(level, x, y, length, along="x"):
@@ -195,6 +229,9 @@ def furniture(level):
     for x in (384, 960):
         for side in (-1, 1):
             bench(level, x, side * (NAVE + 92), 120)
+    rng = np.random.default_rng(5)
+    for x, y in ((192, -232), (1152, -232), (1152, 232)):
+        farm.pot(level, x, y, 0, rng, 15)
     for x, y in ((56, -216), (56, 216), (1288, -216), (1288, 216), (1436, 0)):
         vase(level, x, y)
     for y in (-96, 96):

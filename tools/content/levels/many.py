@@ -12,6 +12,7 @@ import hall_lamps
 from brush import box, circle, cylinder, frustum, lying, prism
 from carver import Carver, Skin
 from doorway import doorway
+from house import prism_along
 from map_file import Level
 from material import vigil
 from route import Route
@@ -31,7 +32,7 @@ def build(count):
     """The level and its camera route for count lamps."""
     level = Level("many_%d" % count, "Hall of %d lamps" % count)
     carver = Carver(16)
-    hall = Skin(vigil("brick_pale"), vigil("tile_floor", scale=1), vigil("planks_old"),
+    hall = Skin(vigil("brick_pale"), vigil("marble_floor"), vigil("planks_old"),
                 [(96, STONE)])
     side = Skin(STONE, vigil("parquet"), vigil("plaster"), [(56, vigil("plaster_green"))])
     carver.room((0, -NAVE, 0), (LENGTH, NAVE, HEIGHT), hall)
@@ -43,6 +44,9 @@ def build(count):
     doorway(level, carver, (LENGTH, -80, 0), (LENGTH + 16, 80, 176), frame=WOOD)
     level.add(*carver.brushes())
     arcade(level)
+    brackets(level)
+    feast(level)
+    organ(level)
     roof(level)
     chandeliers(level)
     furniture(level)
@@ -89,6 +93,67 @@ def arcade(level):
                                for z in (104, 150)])
         a, b = sorted((wall, wall - s * 4))
         level.add_detail(box((0, a, 0), (LENGTH, b, 12), DARK))
+
+
+def brackets(level):
+    """Brackets from the columns to the wall of the nave."""
+    for s in (-1, 1):
+        y = s * NAVE
+        for x0, x1 in zip(COLUMNS, COLUMNS[1:]):
+            a, b = x0 + 32, x1 - 32
+            for near, far, foot in ((a, a + 40, 196), (b, b - 40, 196)):
+                outline = [(near, foot), (far, 244), (near, 244)]
+                level.add_detail(prism_along("y", y - 12, y + 12, outline, PALE))
+
+
+def feast(level):
+    """A carpet down the nave and laid tables: bowls of fruit, jugs, loaves on linen."""
+    rng = np.random.default_rng(21)
+    carpet, edge = vigil("plaster_red", scale=.25), vigil("brass")
+    level.add_detail(box((60, -56, 0), (1800, 56, .75), carpet))
+    for y in (-50, 46):
+        level.add_detail(box((60, y, .75), (1800, y + 4, 1), edge))
+    clay = vigil("stucco_rose", scale=.25)
+    bread, fruit = vigil("straw", scale=.35), (vigil("metal_red"), vigil("metal_orange"),
+                                               vigil("metal_green"))
+    for x in (420, 932, 1444):
+        for y in (-150, 150):
+            level.add_detail(box((x - 150, y - 11, 38), (x + 150, y + 11, 38.5),
+                                 vigil("linen", scale=.25)))
+            for i in range(4):
+                at = x - 120 + 72 * i
+                kind = (i + (y > 0)) % 3
+                if kind == 0:
+                    level.add_detail(*drums((at + 24, y), [(38.5, 4), (45, 6.5), (54, 3.5)], clay))
+                elif kind == 1:
+                    level.add_detail(*drums((at + 24, y), [(38.5, 4), (43, 11)], edge))
+                    for k in range(3):
+                        px, py = at + 24 + rng.uniform(-5, 5), y + rng.uniform(-5, 5)
+                        level.add_detail(box((round(px) - 3, round(py) - 3, 43),
+                                             (round(px) + 3, round(py) + 3, 48), fruit[k]))
+                else:
+                    level.add_detail(box((at + 14, y - 6, 38.5), (at + 34, y + 6, 45), bread))
+
+
+def drums(centre, profile, material, sides=6):
+    """Drums between the (height, radius) pairs of a turned profile."""
+    return [frustum(np.column_stack([circle(centre, r0, sides), np.full(sides, float(z0))]),
+                    np.column_stack([circle(centre, r1, sides), np.full(sides, float(z1))]),
+                    material)
+            for (z0, r0), (z1, r1) in zip(profile, profile[1:])]
+
+
+def organ(level):
+    """Organ pipes of brass over the doorway in the far wall, in three towers on a gallery."""
+    level.add_detail(box((LENGTH - 60, -220, 204), (LENGTH, 220, 216), WOOD),
+                     box((LENGTH - 64, -224, 216), (LENGTH - 58, 224, 222), WOOD))
+    for y in np.arange(-216, 220, 48):
+        level.add_detail(box((LENGTH - 62, y - 1.5, 222), (LENGTH - 59, y + 1.5, 244), WOOD))
+    level.add_detail(box((LENGTH - 64, -224, 244), (LENGTH - 57, 224, 248), WOOD),
+                     box((LENGTH - 40, -196, 216), (LENGTH, 196, 258), WOOD))
+    for i in range(-8, 9):
+        top = 430 - 13 * min(abs(i), abs(abs(i) - 8) + 2)
+        level.add_detail(cylinder((LENGTH - 11, 23 * i), 8, 258, top, vigil("brass"), 6))
 
 
 def banners(level, side):
@@ -165,13 +230,25 @@ def lanterns(level, count, rng):
     half = 18 if count <= 10 else 10 if count <= 100 else 5
     corners = np.round(half * np.array([(1, 0), (-.5, .9), (-.5, -.9)]))
     area = abs(np.cross(corners[1] - corners[0], corners[2] - corners[0])) / 2
-    iron = vigil("metal_dark")
+    iron, brass = vigil("metal_dark"), vigil("brass")
     for (x, y, z, top), c, s in zip(places, colour, strength):
         radiance = hall_lamps.TOTAL_POWER / count * s / area
         name, rgb, _ = hall_lamps.COLOURS[c]
         value = max(1, round(radiance / (.1 * np.mean(rgb))))
         light = vigil(name).emissive(value).fitted()
-        level.add_detail(prism(corners + [x, y], z, z + half, {"all": iron, "bottom": light}))
+        # A shade of brass; the largest lamps have a hood and hang in a hoop.
+        low = np.column_stack([corners + [x, y], np.full(3, float(z))])
+        high = np.column_stack([corners * .3 + [x, y], np.full(3, float(z + half))])
+        level.add_detail(frustum(low, high, {"all": brass, "bottom": light}))
+        if count <= 10:
+            low = np.column_stack([corners * 1.5 + [x, y], np.full(3, z + half)])
+            high = np.column_stack([corners * .3 + [x, y], np.full(3, z + 1.8 * half)])
+            level.add_detail(frustum(low, high, brass))
+            ring = circle((x, y), 2.2 * half, 8)
+            for a, b in zip(ring, np.roll(ring, -1, 0)):
+                level.add_detail(prism_ring((x, y), a, b, .9, z + half, iron))
+            level.add_detail(box((x - 2.1 * half, y - 1, z + half), (x + 2.1 * half, y + 1,
+                                                                     z + half + 2), iron))
         if count <= 100:
             level.add_detail(box((x - 1, y - 1, z + half), (x + 1, y + 1, top), iron))
     if count > 100:

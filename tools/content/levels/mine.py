@@ -8,11 +8,13 @@ and the bit of sky send on, and by a few oil lamps deep in the gallery.
 import numpy as np
 
 import crate
-from brush import beam, box, cylinder, hull
+import farm
+from brush import beam, box, circle, cylinder, frustum, hull, lying, prism
 from carver import Carver, Skin
 from lamp import lantern
 from map_file import Level
 from material import SKY_BOX, vigil
+from plant import LEAVES, bush, tree
 from rock import Rock, value_noise
 from route import Route
 from sky import sun_direction
@@ -88,7 +90,7 @@ def cave():
 
 def build():
     """The level and its camera route: out of the gallery, around the patch of sun."""
-    level = Level("mine", "The open cut", sky="dusk", _sun_light=1600, _sun_color="1 0.88 0.70",
+    level = Level("mine", "The open cut", sky="dusk", _sun_light=1500, _sun_color="1 0.88 0.70",
                   _sun_mangle="%d %d 0" % (SUN_YAW, SUN_PITCH))
     rock = cave()
     carver = Carver(16)
@@ -96,11 +98,15 @@ def build():
     for lo, hi, roof in HULL:
         carver.room(lo, hi, Skin(stone, stone, roof))
     level.add(*carver.brushes())
-    level.add_detail(*rock.brushes(*(vigil(m, cast=True) for m in ("soil", "rock", "rock_dark")),
+    # Only the ground is painted along an axis: on steep rock that would stretch the texture.
+    level.add_detail(*rock.brushes(vigil("soil", cast=True, scale=.3), vigil("rock", scale=.3),
+                                   vigil("rock_dark", scale=.3),
                                    [(lo, hi) for lo, hi, _ in HULL]))
     supports(level, rock)
     track(level, rock)
     furniture(level, rock)
+    hoist(level, rock)
+    green(level, rock)
     camera = route(rock)
     level.start(camera.keys[0][0], 0)
     return level, camera
@@ -212,12 +218,51 @@ def furniture(level, rock):
         lantern(level, x + 12, y, z + 94, value)
 
 
+def hoist(level, rock):
+    """Two timbers across the hole with a drum; rope and bucket hang in the sunbeam. A ladder."""
+    x, y, z = 1034, 742, 478
+    for dy in (-16, 16):
+        level.add_detail(beam((x - 190, y + dy, z), (x + 250, y + dy, z), 12, 14, BEAM))
+    level.add_detail(lying("x", x - 14, x + 14, [(y + 9 * np.cos(a), z + 17 + 9 * np.sin(a))
+                                                for a in 2 * np.pi * np.arange(8) / 8], BEAM))
+    level.add_detail(box((x - 1, y - 1, 214), (x + 1, y + 1, z + 10), vigil("straw", scale=.2)),
+                     frustum(np.column_stack([circle((x, y), 12, 8), np.full(8, 180.0)]),
+                             np.column_stack([circle((x, y), 16, 8), np.full(8, 206.0)]),
+                             vigil("planks_old", scale=.2)),
+                     box((x - 15, y - 1, 205), (x + 15, y + 1, 208), IRON),
+                     box((x - 1.5, y - 1.5, 206), (x + 1.5, y + 1.5, 216), IRON))
+    foot = (1190, 900, ground(rock, 1190, 900) - 6)
+    farm.ladder(level, foot, (1236, 944, 470), 24, 26)
+
+
+def green(level, rock):
+    """What grows where the sun comes: a young tree, ferns around the patch, creepers at the rim."""
+    rng = np.random.default_rng(8)
+    tree(level, rng, 948, 716, ground(rock, 948, 716), 128, 5, (3, 2))
+    for _ in range(18):
+        a, away = rng.uniform(0, 6.28), rng.uniform(20, 130)
+        x, y = 930 + away * np.cos(a), 690 + .8 * away * np.sin(a)
+        if near_track(np.array(x), np.array(y)) > 48:
+            size = rng.uniform(5, 12)
+            bush(level, rng, np.array([x, y, ground(rock, x, y) + size * .4]), size)
+    hx, hy, radius = HOLE
+    for a in np.linspace(0, 2 * np.pi, 17, endpoint=False):
+        r = radius + rng.uniform(-6, 14)
+        x, y = round(hx + r * np.cos(a)), round(hy + r * np.sin(a))
+        length = rng.uniform(50, 150)
+        level.add_detail(prism(circle((x, y), rng.uniform(2, 3.5), 3, rng.uniform()), 470 - length,
+                               470, LEAVES))
+        for k in range(2):
+            at = np.array([x, y, 470 - length * (k + rng.uniform(.4, .9)) / 2])
+            bush(level, rng, at, rng.uniform(5, 9))
+
+
 def boulder(level, rng, x, y, z, size):
     """A squat, irregular block: the hull of points on a flattened ball, sunk into the ground."""
     d = rng.standard_normal((11, 3))
     d /= np.linalg.norm(d, axis=1, keepdims=True)
     points = np.round(d * [size * .75, size * .7, size * .6] + [x, y, z + .2 * size])
-    level.add_detail(hull(points, vigil("rock", cast=True)))
+    level.add_detail(hull(points, vigil("rock", scale=.3)))
 
 
 def route(rock):

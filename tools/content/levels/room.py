@@ -8,8 +8,9 @@ north gets what comes through its doorway. Roofs of a town lie outside.
 
 import numpy as np
 
+import farm
 import furniture
-from brush import beam, box
+from brush import beam, box, circle, cylinder, frustum, prism
 from carver import Carver, Skin
 from house import Facade, chimney, gable, prism_along
 from map_file import Level
@@ -56,6 +57,8 @@ def build():
     windows(level)
     woodwork(level)
     studio(level)
+    drapes(level)
+    utensils(level)
     library(level)
     town(level)
     camera = route()
@@ -159,6 +162,49 @@ def studio(level):
     for dx in (16, 44):
         for dy in (152, 184):
             level.add_detail(box((dx - 2, dy - 2, 3), (dx + 2, dy + 2, 8), iron))
+
+
+def drapes(level):
+    """Linen curtains, drawn aside, on rods before the south windows; plants on two sills."""
+    rng = np.random.default_rng(4)
+    for a0, a1 in SOUTH_WINDOWS:
+        level.add_detail(box((a0 - 26, 8, HEAD + 14), (a1 + 26, 11, HEAD + 17), vigil("brass")))
+        for side, edge in ((-1, a0 - 4), (1, a1 + 4)):
+            for i in range(4):
+                lo, hi = sorted((edge + side * (5 * i - 4), edge + side * (5 * i + 1)))
+                out = 5 + 3 * (i % 2)
+                level.add_detail(box((lo, out, 16), (hi, out + 3, HEAD + 14), LINEN))
+    for x, kind in ((250, 9), (292, 8), (576, 8), (612, 10)):
+        farm.pot(level, x, -12, SILL, rng, kind)
+
+
+def utensils(level):
+    """What a painter has about: a palette, jars of brushes, tubes of colour, plaster casts."""
+    clay, cast = vigil("stucco_rose", scale=.25), vigil("white")
+    for x, y, z in ((486, 84, 0), (604, 318, 32), (700, 342, 32)):
+        if z == 0:
+            level.add_detail(box((x - 14, y - 12, 0), (x + 14, y + 12, 26), OAK))
+            z = 26
+        level.add_detail(cylinder((x, y), 4, z, z + 8, clay, 8))
+        for dx, dy, high in ((-2, -1, 21), (0, 2, 24), (2, -1, 19), (1, 0, 22)):
+            level.add_detail(beam((x + .4 * dx, y + .4 * dy, z + 6), (x + 1.6 * dx, y + 1.6 * dy,
+                                                                       z + high), .9, .9, OAK))
+    level.add_detail(prism(circle((668, 352), 9, 9), 32, 32.8, WALNUT))
+    for dx, dy, paint in ((-4, 2, "metal_red"), (0, 5, "metal_blue"), (4, 2, "paint_yellow"),
+                          (4, -3, "metal_green")):
+        level.add_detail(box((667 + dx, 351 + dy, 32.8), (669 + dx, 353 + dy, 33.4), vigil(paint)))
+    # A turned column with a cast of a head, and a vase on the cupboard.
+    for x, y, z, scale in ((716, 60, 0, 1.0), (15, 60, 122, .5)):
+        if z == 0:
+            level.add_detail(box((x - 13, y - 13, 0), (x + 13, y + 13, 5), STONE),
+                             cylinder((x, y), 9, 5, 52, WHITE, 10),
+                             box((x - 12, y - 12, 52), (x + 12, y + 12, 56), STONE))
+            z = 56
+        profile = [(0, 8), (5, 5), (9, 4), (13, 7.5), (20, 8.5), (26, 7), (30, 3)]
+        for (z0, r0), (z1, r1) in zip(profile, profile[1:]):
+            low = np.column_stack([circle((x, y), r0 * scale, 9), np.full(9, z + z0 * scale)])
+            high = np.column_stack([circle((x, y), r1 * scale, 9), np.full(9, z + z1 * scale)])
+            level.add_detail(frustum(low, high, cast))
 
 
 def library(level):

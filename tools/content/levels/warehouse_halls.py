@@ -8,16 +8,19 @@ import numpy as np
 import crate
 import lamp
 from brush import beam, box, lying
-from depot import GIRDER, HAZARD, STEEL, WOOD, forklift, girders, grid, lanes, pipe_run
+from depot import (GIRDER, HAZARD, STEEL, WOOD, cabinet, cone, extinguisher, forklift, girders,
+                   grid, lanes, pallet_truck, pipe_run, wrapped_pallet)
 from material import vigil
 from rack import rack, shelf
 from stair import railing, stairs
 
 
 def aisle(level, rng, room, index, name):
-    """Racks on both sides between portals, tubes above, signal lamps on the posts."""
+    """Racks on both sides between portals, tubes above, signal lamps on the posts. At night only
+    every second section burns: pools of light with dark between them."""
     x0, y0, x1, y1, _, z1, _ = room
-    for a, b in ((652, 836), (860, 1036), (1060, 1236), (1260, 1444)):
+    for section, (a, b) in enumerate(((652, 836), (860, 1036), (1060, 1236), (1260, 1444))):
+        on = (section + index) % 2 == 1
         for left in (True, False):
             wall, front = (x0, x0 + 48) if left else (x1, x1 - 48)
             rack(level, rng, wall, front, a, b, 0, (10, 84, 156), 236, 2)
@@ -26,9 +29,18 @@ def aisle(level, rng, room, index, name):
             lamp.spot(level, (front, (a + b) / 2, 118 + 24 * (index % 2)), face, texture, 300)
         middle = (x0 + x1) / 2
         for y in (a + 46, b - 46):
-            lamp.tube(level, middle, y, z1, "y", ("lamp_cool", "lamp_warm")[index % 2], 500, 72,
-                      48, True)
+            lamp.tube(level, middle, y, z1, "y", "lamp_warm" if on else "lamp_cool",
+                      620 if on else 9, 72, 48, True)
         level.add_detail(box((x0, (a + b) / 2 - 5, z1 - 18), (x1, (a + b) / 2 + 5, z1), GIRDER))
+    # Things left standing: a pallet truck, a lone carton, a cone.
+    if index % 2 == 0:
+        pallet_truck(level, middle + 36, 930, 0, 90)
+    else:
+        crate.carton(level, (middle + 24, 770, 0), (middle + 48, 794, 18))
+        cone(level, middle + 34, 1170, 0)
+    for s in (-1, 1):
+        level.add_detail(box((middle + s * 47 - 2, 648, 0), (middle + s * 47 + 2, 1448, .25),
+                             vigil("paint_yellow")))
     sign = vigil("sign_" + name[-1], fit=True)
     for y, face in ((632, "-y"), (1464, "+y")):
         lo, hi = (y - 12, y - 8) if face == "-y" else (y + 8, y + 12)
@@ -51,8 +63,10 @@ def dock(level, rng, rooms):
     room = rooms["dock"]
     lanes(level, room, 232, "x")
     girders(level, room, 160)
-    for x, y in grid(room, 6, 3):
-        lamp.high_bay(level, x, y, 288, 34, "lamp_sodium", 420)
+    # The night shift: four lamps burn, low over the floor; the others glimmer under the roof.
+    for i, (x, y) in enumerate(grid(room, 6, 3)):
+        on = i in (2, 4, 11, 15)
+        lamp.high_bay(level, x, y, 288, 104 if on else 34, "lamp_sodium", 520 if on else 4)
     # Two roller doors with bumpers, and a trailer at one of them.
     for x in (160, 520):
         level.add_detail(box((x, 0, 0), (x + 200, 4, 176), {"all": STEEL, "+y":
@@ -65,7 +79,28 @@ def dock(level, rng, rooms):
             lamp.spot(level, (x + dx, 10, 120), "+y", ("lamp_red", "lamp_green")[x > 300], 300, 8)
     for x, y in ((60, 380), (520, 200), (760, 120), (820, 330), (560, 400)):
         crate.pallet(level, x, y, 0, 64)
-        crate.stack(level, rng, x - 8, y, 9, 44, 3)
+        if x < 700:
+            crate.framed(level, x - 8, y, 9, 44, 0, float(rng.uniform(-6, 6)))
+            crate.framed(level, x - 6, y + 2, 53, 34, 1, float(rng.uniform(-14, 14)))
+            crate.framed(level, x + 44, y + 6, 0, 36, 1, float(rng.uniform(-12, 12)))
+        else:
+            crate.stack(level, rng, x - 8, y, 9, 44, 3)
+    for x, y, height, yaw in ((150, 240, 44, 0), (404, 320, 66, 0), (880, 220, 66, 90)):
+        wrapped_pallet(level, x, y, 0, height, yaw)
+    pallet_truck(level, 330, 200, 0, 208)
+    for x, y in ((452, 206), (596, 250), (500, 280)):
+        cone(level, x, y, 0)
+    for x in (120, 470, 700):
+        extinguisher(level, x, 480, 36, "-y")
+    for x in (560, 592, 636):
+        cabinet(level, (x, 470, 30), (x + 28, 480, 78), "-y", 288)
+    pipe_run(level, "x", 0, 960, 470, 236, 7)
+    pipe_run(level, "x", 0, 960, 472, 222, 4, STEEL)
+    # Striped bays before the roller doors.
+    for x in (160, 520):
+        for dx in (0, 50, 100, 150, 200):
+            level.add_detail(box((x + dx - 2, 20, 0), (x + dx + 2, 110, .25),
+                                 vigil("paint_yellow")))
     for x in (80, 116, 152):
         crate.barrel(level, 30, x, 0, ("metal_blue", "metal_red", "metal_green")[x % 3])
     forklift(level, 640, 300, 0)
@@ -99,8 +134,9 @@ def north(level, rng, rooms):
     lanes(level, room, 24, "x")
     guards(level)
     girders(level, room, 158)
-    for x in (80, 236, 396, 552, 712, 868, 1028, 1184):
-        lamp.high_bay(level, x, 1544, 304, 40, "lamp_sodium", 420)
+    for i, x in enumerate((80, 236, 396, 552, 712, 868, 1028, 1184)):
+        on = i not in (1, 4, 6)
+        lamp.high_bay(level, x, 1544, 304, 110 if on else 40, "lamp_sodium", 420 if on else 8)
         lamp.bulkhead(level, (x + 40, 1616, 150), "-y", "lamp_warm", 300)
     for x in (60, 420, 980):
         crate.stack(level, rng, x, 1592, 0, 40, 2)

@@ -18,7 +18,7 @@ from house import Facade, chimney, gable
 from lamp import bulkhead, lamp_post, lantern
 from map_file import Level
 from material import CAULK, SKY_BOX, vigil
-from plant import cypress, tree
+from plant import bush, cypress, tree
 from rock import Rock, value_noise
 from route import Route
 from sky import EVENING_SUN
@@ -358,8 +358,20 @@ def things(level, rng, ground):
                      box((x + 26, y - 7, z - 6), (x + 34, y + 7, z + 16), STONE))
     for x, y in ((250, 890), (420, 890), (824, 890)):
         farm.pot(level, x, y, DECK, rng, 13)
+    climbers(level, rng)
     level.add_detail(prism(circle((1300, 190), 26, 10), 0, at(1300, 190) + 26, RUBBLE))
     farm.ladder(level, (1100, 330, at(1100, 330)), (1150, 330, 200))
+
+
+def climbers(level, rng):
+    """Roses up the front of the house, flower beds along the terrace, pots about the well."""
+    for x, top in ((158, 250), (284, 150), (380, 150), (508, 230)):
+        for z in range(DECK + 14, top, 26):
+            bush(level, rng, np.array([x + rng.uniform(-7, 7), 906, z]), rng.uniform(9, 15))
+    for x in range(420, 860, 44):
+        bush(level, rng, np.array([x, 804.0, 20.0]), rng.uniform(12, 17))
+    for x, y in ((648, 440), (752, 506), (640, 500)):
+        farm.pot(level, x, y, 3, rng, 10)
 
 
 def route():
