@@ -4,7 +4,8 @@
 #   demo.sh pictures [BUILD]   their raw pictures of the same frames have the same means, for every pt_nee
 #   demo.sh times [BUILD]      16 guards and rockets: times of passes, in turns, as a table
 # It ends with status 77 where the engine is missing. As root it starts the engine as nobody: it does not start for root.
-# SEEDS, ROUNDS, TECHNIQUES and DEMO_FOLDER (what is made stays there) change what is done.
+# SEEDS, ROUNDS, TECHNIQUES, DEMO (a file, in place of what is recorded) and DEMO_FOLDER (what is made stays there) change
+# what is done.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 what=${1:-pictures}
@@ -117,6 +118,12 @@ waits() { for _ in $(seq "$1"); do echo wait; done; }
 
 # record COMMANDS: what they do on the warehouse becomes the demo `shown`; 20 of the engine's frames are a second.
 record() {
+  if [ -n "${DEMO:-}" ]; then
+    cp "$DEMO" "$home/.yq2/baseq2/demos/shown.dm2"
+    cp "$DEMO" "$scratch/out/demos/shown.dm2"
+    chmod a+r "$home/.yq2/baseq2/demos/shown.dm2"
+    return
+  fi
   step "Recording"
   {
     printf '%s\n' "set fixedtime 50000" "set cheats 1" "set pt_nee sll" "set pt_guide brdf" "set flt_enable 0" \
@@ -176,12 +183,12 @@ PYTHON
 }
 
 times() {
-  width=320 height=240
+  width=160 height=120
   place_guards
   record "give rocket launcher
 give rockets 50
 notarget
-use rocket launcher" "$(waits 60; for _ in 1 2 3 4; do echo +attack; waits 10; printf '%s\n' -attack +left; waits 3
+use rocket launcher" "$(waits 20; for _ in 1 2; do echo +attack; waits 10; printf '%s\n' -attack +left; waits 3
     echo -left; waits 20; printf '%s\n' +attack; waits 10; printf '%s\n' -attack +right; waits 3; echo -right; waits 20
     done)"
   local technique round
