@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers that stay with things, for an engine that sends none: what is seen in a frame is matched
 // with what was seen before, by kind, place, motion and order. What is wrong costs noise and
-// nothing else (docs/internals/front-end.md). tests/yamagi/identities_test.cpp measures how often it is.
+// nothing else (docs/internals/front-end.md). tests/yamagi/identities_test.cpp measures how often
+// it is.
 #pragma once
 
 #include <cstdint>

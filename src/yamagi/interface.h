@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What Yamagi Quake II and a renderer's module hand each other, as bytes: our own names for what
 // was found by trying versions 8.20, 8.50 and 8.70 of the engine (API 5, 7 and 8) on x86-64. Every
-// size and offset is asserted; docs/play/quake2.md says how they were found. Nothing here does anything.
+// size and offset is asserted; docs/play/quake2.md says how they were found. Nothing here does
+// anything.
 #pragma once
 
 #include <cstdarg>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// docs/play/commands.md: every command with its usage and what it does, and the names of Quake II RTX.
+// docs/play/commands.md: every command with its usage and what it does, and the names of Quake II
+// RTX.
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Prints docs/play/cvars.md, the page of all console variables, from the one table in
-// shaders/shared/settings_table.h, or docs/play/commands.md, from the program's tables of commands. With
+// shaders/shared/settings_table.h, or docs/play/commands.md, from the program's tables of commands.
+// With
 // --check it compares instead, for the tests; it writes no files.
 #include "command_page.h"
 #include "console/cvar.h"
