@@ -103,7 +103,7 @@ TEST_P(DirectionsOfSize, ThousandsOfRays) {
         settings.collapse = 2000;
         start(settings, 256, bits);
         Dice dice(bits + 7);
-        random_rays_frame(dice, 8, {brought, 3000, bits}, bits);
+        random_rays_frame(dice, 10, {brought, 3000, bits}, bits);
         if (HasFatalFailure()) return;
     }
     EXPECT_GE(many_, 8u);

@@ -67,15 +67,17 @@ void random_cache(Dice& dice, const RandomLights& lights, const shader::GuidingS
         // Some are too old, as if pt_vlc_persist had become lower.
         leaf.cached[light] = dice.below(std::min(settings.persist + 3, shader::VLC_OLDEST));
     }
-    // Some buckets are not known, some bring nothing.
-    const bool known = dice.chance(0.8);
+    // Some buckets are not known, some bring nothing. Dice of their own: whoever counts what else
+    // is random must not depend on how many buckets there are.
+    Dice own(first + 31 * count);
+    const bool known = own.chance(0.8);
     for (uint32_t b = 0; b < count; ++b) {
         BucketDraw bucket{(b + 1.0) / count, 0.0, 0.0};
-        if (b + 1 < count) bucket.until -= dice.below(1000) / 2000.0 / count;
-        if (known && dice.chance(0.8)) {
-            bucket.draws = 1 + dice.below(48);
-            if (dice.chance(0.8))
-                bucket.root = std::ldexp(128 + dice.below(128), static_cast<int>(dice.below(6)));
+        if (b + 1 < count) bucket.until -= own.below(1000) / 2000.0 / count;
+        if (known && own.chance(0.8)) {
+            bucket.draws = 1 + own.below(48);
+            if (own.chance(0.8))
+                bucket.root = std::ldexp(128 + own.below(128), static_cast<int>(own.below(6)));
         }
         leaf.drawn.push_back(bucket);
     }
