@@ -24,7 +24,6 @@ layout(set = SET_GUIDING, binding = BINDING_GUIDING_RAYS, scalar) restrict write
 struct SurfaceLeaves {
     uint cache;
     uint samples;
-    uvec2 cell; // of `cache` (octree_pack_cell): names a place for as long as the leaf is not split
 };
 
 uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, guiding.node_capacity); }
@@ -43,8 +42,7 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
     OctreeDescent both = octree_root();
     while (both.leaf == NONE && octree_child(before, both.depth) == octree_child(now, both.depth))
         octree_descend(both, octree_nodes[both.node], now);
-    const OctreeDescent cache = descend(both, before);
-    return SurfaceLeaves(cache.leaf, descend(both, now).leaf, octree_pack_cell(octree_cell(before, cache.depth)));
+    return SurfaceLeaves(descend(both, before).leaf, descend(both, now).leaf);
 }
 
 /// Stores a light sample (LIGHT_SAMPLE_*), if the leaf has room; counts it in any case.

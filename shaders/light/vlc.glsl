@@ -14,7 +14,6 @@
 #include "light/alias.glsl"
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
-#include "light/shadow_statistics.glsl"
 
 #define LEARNS_FROM_LIGHT_SAMPLES 1
 #define STORES_LIGHT_SAMPLES 1
@@ -74,21 +73,14 @@ struct LightSearch {
     LightCache cache;
     LightList list;
     uint list_stride;
-    uint place; // in the shadow statistics
 };
 
-/// The leaf's number in the shadow statistics, which knows nothing of octrees.
-uint shadow_place(uvec2 cell) { return hash_pcg3d(uvec3(cell, 0u)).x; }
-
-uint slot_of_light(uint place, uint light) { return shadow_slot(place, light, 0u, shadow_slots); }
-
-LightSearch prepare_search(Surface surface, SurfaceLeaves found) {
+LightSearch prepare_search(Surface surface, uint leaf) {
     LightSearch search;
     search.prepared = prepare_importance(surface);
-    search.cache = find_light_cache(found.cache);
+    search.cache = find_light_cache(leaf);
     search.list = find_light_list(surface);
     search.list_stride = max(list_stride(search.list, bucket_size()), 1u);
-    search.place = shadow_place(found.cell);
     return search;
 }
 
@@ -149,7 +141,6 @@ struct Candidates {
     LightCache cache;
     LightList list;
     LtcSurface prepared;
-    uint place;
 };
 
 uint candidate_light(Candidates candidates, uint i) {
@@ -160,22 +151,19 @@ uint candidate_light(Candidates candidates, uint i) {
 
 float candidate_weight(Candidates candidates, uint light) {
     const float importance = light_importance(candidates.prepared, light);
-    if (!(importance > 0.0)) return 0.0;
-    if (!candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
-    // Of draws with the importance I of lights that are seen with the probability p, those in proportion to I sqrt(p) have the least noise.
-    if (frame.settings.pt_vlc_stats == 0 || !candidates.from_cache) return importance;
-    return importance * sqrt(unshadowed_share(slot_of_light(candidates.place, light)));
+    if (importance > 0.0 && !candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
+    return importance;
 }
 
 #include "light/candidate_walk.glsl"
 
 Candidates bucket_candidates(LightSearch search, uint first) {
     const uint lights_there = search.cache.buckets > 0u ? bucket_size() : 0u;
-    return Candidates(first, first + lights_there, 1u, true, search.cache, search.list, search.prepared, search.place);
+    return Candidates(first, first + lights_there, 1u, true, search.cache, search.list, search.prepared);
 }
 
 Candidates list_candidates(LightSearch search, uint start) {
-    return Candidates(start, search.list.count, search.list_stride, false, search.cache, search.list, search.prepared, search.place);
+    return Candidates(start, search.list.count, search.list_stride, false, search.cache, search.list, search.prepared);
 }
 
 /// The one walk that can meet a light. A light that is in neither cache nor list has none: only the table draws it.
@@ -194,7 +182,7 @@ float mixture_probability(LightSearch search, Shares shares, bool cached, Candid
 
 LightChoice draw_light(Surface surface, float beside, inout Random random) {
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
-    LightSearch search = prepare_search(surface, found);
+    LightSearch search = prepare_search(surface, found.cache);
     const Shares shares = draw_shares(search, found.cache, beside);
     const vec3 u = random_next3(random);
     const uvec2 bits = random_next_bits(random);
@@ -223,7 +211,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
 
     LightChoice choice = weighted_choice(walk.light, 0.0);
     choice.explored = !from_cache;
-    choice.memory = uvec3(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED, search.place);
+    choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
     if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
     if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
     choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
@@ -241,16 +229,14 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
 }
 
 void learn_light(LightChoice choice, uint outcome) {
-    if (frame.settings.pt_vlc_stats != 0 && outcome != LIGHT_UNTRIED)
-        count_shadow_ray(slot_of_light(choice.memory.z, choice.light), outcome == LIGHT_SHADOWED);
     store_light_sample(choice.memory.x, choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
 }
 
 float light_probability(Surface surface, uint light) {
-    const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
-    LightSearch search = prepare_search(surface, found);
-    const float beside = draws_beside() && !is_cached(search.cache, light) ? explore_total(search, found.cache) : 0.0;
-    const Shares shares = draw_shares(search, found.cache, beside);
+    const uint leaf = find_leaves(surface.position, previous_position(surface)).cache;
+    LightSearch search = prepare_search(surface, leaf);
+    const float beside = draws_beside() && !is_cached(search.cache, light) ? explore_total(search, leaf) : 0.0;
+    const Shares shares = draw_shares(search, leaf, beside);
     const bool cached = is_cached(search.cache, light);
     return mixture_probability(search, shares, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));
 }

@@ -49,18 +49,18 @@
 #define CONSTANT_ENVIRONMENT 16 // sky and sun are sampled as lights: scene/frame.glsl
 
 // Set 1 holds this many storage buffers; which of them a technique has is its business (shaders/light/NAME.glsl).
+#define BINDING_ALIAS_TABLE 0       // number of entries, AliasEntry[]: light/alias.glsl
 #define BINDING_SHADOW_STATISTICS 0 // light/shadow_statistics.glsl; the pass of that name has it as well, alone in set 0
 #define BINDING_STATIC_RANGES 1     // these five are the light lists: light/light_list.glsl
 #define BINDING_STATIC_IDS 2
 #define BINDING_MOVING_RANGES 3
 #define BINDING_MOVING_IDS 4
 #define BINDING_LIST_COUNTS 5
-#define BINDING_ALIAS_TABLE 6 // number of entries, AliasEntry[]: light/alias.glsl
 #define BINDING_LIGHT_NODES 0 // these four are the Light Hierarchy: light/lh.glsl
 #define BINDING_LEAF_LIGHTS 1
 #define BINDING_LIGHT_PLACES 2
 #define BINDING_LIGHT_PARENTS 3
-#define TECHNIQUE_BINDING_COUNT 7
+#define TECHNIQUE_BINDING_COUNT 6
 
 // Set 2, declared in guiding/octree.glsl. Vulkan 1.2 lets a device stop at few storage buffers per stage, and Mesa 22.3's
 // software driver at 32 for all sets together.

@@ -97,8 +97,6 @@
         "vlc: 1: Samples that look for lights are added to those from the cache. 0: They take their place, as in the paper.") \
     GPU_INTEGER(pt_vlc_adapt, Archived, Reference, 1, 0, 1, \
         "vlc: 1: More samples look for lights where they find much that the cache lacks. 0: The share is the same everywhere, as in the paper.") \
-    GPU_INTEGER(pt_vlc_stats, Archived, Reference, 1, 0, 1, \
-        "vlc: 1: Weights also follow how many recent shadow rays of the octree leaf reached the light. 0: the importance alone, as in the paper.") \
     INTEGER(pt_vlc_weigh, Archived, Reference, 1, 0, 1, \
         "vlc: 1: Buckets are drawn by what draws from them brought. 0: evenly, as in the paper.") \
     REAL(pt_vlc_hysteresis, Session, Reference, 0.75, 0.0, 1.0, \

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How often shadow rays reached a light, counted by the place they came from, the light, and the
-// side of the world that the surface faces. With PVS clusters as places it is what Quake II RTX's
-// light lists learn from one frame for the next; light caches count by leaves of the octree, and
-// leave out the side. Counts lie in a table under a hash of those three, so that lights may come
+// How often shadow rays reached a light, counted by the PVS cluster they came from, the light, and
+// the side of the world that the surface faces: what Quake II RTX's light lists learn from one
+// frame for the next. Counts lie in a table under a hash of those three, so that lights may come
 // and go and lists may be made anew without moving a number. Keys are not stored: two that share a
 // slot share their counts, which costs some of their use, and no bias. Counting and reading never
 // meet: a frame reads what was made of counts before it.
@@ -14,11 +13,9 @@
 
 SHADER_BEGIN
 
-/// A ray adds this much to a count. Counts lose an eighth every frame, in whole numbers, so that a
-/// ray is forgotten after two dozen frames.
+/// A ray adds this much to a count. Counts lose a quarter every frame, in whole numbers, so that a
+/// ray is forgotten after a dozen frames.
 SHADER_CONST uint SHADOW_RAY = 64u;
-/// Rays that nobody has sent count as having reached a light: one shadowed ray says little.
-SHADER_CONST float SHADOW_HOPE = 128.0f;
 /// No light loses more of its weight than this, however often it was hidden.
 SHADER_CONST float SHADOW_MOST_LOSS = 0.9f;
 /// Words of a slot.
@@ -32,10 +29,10 @@ SHADER_FN uint dominant_direction(vec3 normal) {
     return normal.z < 0.0f ? 5u : 4u;
 }
 
-/// The slot of a light seen from a place by surfaces of one of six directions; `slots` is a power
+/// The slot of a light seen from a cluster by surfaces of one of six directions; `slots` is a power
 /// of two.
-SHADER_FN uint shadow_slot(uint place, uint light, uint direction, uint slots) {
-    const uint word = hash_pcg3d(uvec3(place, light, direction)).x;
+SHADER_FN uint shadow_slot(uint cluster, uint light, uint direction, uint slots) {
+    const uint word = hash_pcg3d(uvec3(cluster, light, direction)).x;
     return (word ^ (word >> 16u)) & (slots - 1u); // its top bits are the best mixed
 }
 
@@ -47,11 +44,11 @@ SHADER_FN uint shadow_count_word(uint slot, uint slots, bool shadowed) { return 
 /// nothing as long as nothing is known.
 SHADER_FN float shadow_loss(uint seen, uint shadowed) {
     const float rays = float(seen) + float(shadowed);
-    return min(float(shadowed) / (rays + SHADOW_HOPE), SHADOW_MOST_LOSS);
+    return rays > 0.0f ? min(float(shadowed) / rays, SHADOW_MOST_LOSS) : 0.0f;
 }
 
 /// A count one frame later.
-SHADER_FN uint fade_shadow_count(uint count) { return count - count / 8u - ((count & 7u) != 0u ? 1u : 0u); }
+SHADER_FN uint fade_shadow_count(uint count) { return count - count / 4u - ((count & 3u) != 0u ? 1u : 0u); }
 
 SHADER_END
 #endif

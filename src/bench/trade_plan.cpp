@@ -45,7 +45,6 @@ const std::vector<Sweep>& sweeps() {
         {"pt_vlc_explore", "vlc", {"0.01", "0.1", "0.2", "0.5"}},
         {"pt_vlc_beside", "vlc", {"0"}},
         {"pt_vlc_adapt", "vlc", {"0"}},
-        {"pt_vlc_stats", "vlc", {"0"}},
         {"pt_vlc_weigh", "vlc", {"0"}},
         {"pt_vlc_hysteresis", "vlc", {"0.5", "1"}},
         {"pt_vlc_merge", "vlc", {"0"}},

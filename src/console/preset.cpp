@@ -20,7 +20,6 @@ constexpr Departure departures[] = {
     {"pt_vlc_explore", "0.1"},    // section 7
     {"pt_vlc_beside", "0"},       // algorithm 1: exploring samples take the place of others
     {"pt_vlc_adapt", "0"},        // section 8: a fixed fraction
-    {"pt_vlc_stats", "0"},        // algorithm 1: the importance alone
     {"pt_vlc_weigh", "0"},        // algorithm 1: buckets are drawn evenly
     {"pt_vlc_persist", "0"},      // section 4.1: caches of one frame
     {"pt_explore_local", "0"},    // section 4.3: one distribution for all places

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What light lists and caches learn about shadows (pt_sll_stats, pt_vlc_stats): fewer shadow rays
-// are wasted, a frame does not read what it writes, what is known outlives lights that come and go,
-// and is forgotten when asked.
+// What light lists learn about shadows (pt_sll_stats): fewer shadow rays are wasted, a frame does
+// not read what it writes, what is known outlives lights that come and go, and is forgotten when
+// asked.
 #include "refresh/vkpt/gpu/commands.h"
 #include "refresh/vkpt/light/shadow_statistics.h"
 #include "render_test.h"
@@ -67,24 +67,6 @@ TEST_F(ShadowStatistics, WasteFewerRays) {
     wasted_after(1);
     set("pt_sll_stats", "1");
     EXPECT_LT(std::abs(wasted_after(1) - before), score_limit * std::sqrt(2.0) * share_error);
-}
-
-TEST_F(ShadowStatistics, CachesWasteFewerRays) {
-    set("pt_nee", "vlc");
-    const auto mean_of_eight = [this](int frames_before) {
-        double sum = wasted_after(frames_before + 1);
-        for (int frame = 1; frame < 8; ++frame)
-            sum += wasted_after(1);
-        return sum / 8;
-    };
-    set("pt_vlc_stats", "0");
-    const double before = mean_of_eight(20);
-    set("pt_vlc_stats", "1");
-    const double first = wasted_after(1), learned = mean_of_eight(16);
-    std::cout << fmt::format("wasted: {:.1f}%, first frame {:.1f}%, then {:.1f}%\n", 100 * before,
-                             100 * first, 100 * learned);
-    EXPECT_LT(std::abs(first - before), score_limit * std::sqrt(2.0) * share_error);
-    EXPECT_LT(learned, before - 5 * std::sqrt(2.0 * before / (8 * 6144)));
 }
 
 TEST_F(ShadowStatistics, AreNotReadInTheFrameThatWritesThem) {

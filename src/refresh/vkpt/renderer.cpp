@@ -173,7 +173,7 @@ void VkptRenderer::select_sides() {
 }
 
 void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
-    const LightFrame lights{scene_->lights(), frame.view.origin, settings_, buffers_.most_traced()};
+    const LightFrame lights{scene_->lights(), frame.view.origin, settings_};
     rebind_ |= left_.technique()->prepare(lights);
     if (right_) rebind_ |= right_->technique()->prepare(lights);
     if (!rebind_) return;

@@ -23,7 +23,7 @@ enum class Waits {
 // clang-format off
 #define VIGIL_PASS_TABLE(ROW) \
     ROW(Upload, "upload", Other, None) /* copies of what changed since the last frame */ \
-    ROW(ShadowStatistics, "shadow_statistics", Preparation, Copies) /* how often lights were hidden, for sll and vlc */ \
+    ROW(ShadowStatistics, "shadow_statistics", Preparation, Copies) /* how often lights were hidden, for sll */ \
     ROW(OctreeMark, "octree_mark", Preparation, Copies) /* leaves to split and nodes to collapse */ \
     ROW(VlcDeduplicate, "vlc_deduplicate", Preparation, Shaders) /* different visible lights of each leaf */ \
     ROW(VlcMerge, "vlc_merge", Preparation, Shaders) /* lights of neighbours joined, buckets made */ \

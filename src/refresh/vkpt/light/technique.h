@@ -31,7 +31,6 @@ struct LightFrame {
     const LightSet& lights;
     glm::vec3 eye; // the camera's position
     const refresh::Settings& settings;
-    glm::uvec2 picture_size; // the most that is traced
 };
 
 class LightTechnique {
