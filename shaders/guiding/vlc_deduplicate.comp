@@ -26,7 +26,6 @@ shared uint bucket_squares[VLC_TABLE_MOST_BUCKETS];
 shared uint bucket_greatest[VLC_TABLE_MOST_BUCKETS]; // exponent of the greatest estimate + 1; 0: none
 const uint GREATEST_SQUARE = 1u << 19;
 
-uint estimate_exponent(uint light_sample) { return (light_sample >> LIGHT_SAMPLE_ESTIMATE_SHIFT) & 127u; }
 bool from_cache(uint light_sample) { return (light_sample & LIGHT_SAMPLE_DRAWN) == LIGHT_SAMPLE_CACHED; }
 
 /// Takes in what the draws from each bucket brought. Parts of a leaf that was split share a cache, and leave it as it is.
@@ -41,14 +40,14 @@ void remember_buckets(uint leaf, uint first, uint kept, uint processed) {
         if (!from_cache(light_sample)) continue;
         const uint b = light_sample & (buckets - 1u);
         atomicAdd(bucket_draws[b], 1u);
-        if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) atomicMax(bucket_greatest[b], estimate_exponent(light_sample) + 1u);
+        if ((light_sample & LIGHT_SAMPLE_VISIBLE) != 0u) atomicMax(bucket_greatest[b], light_sample_exponent(light_sample) + 1u);
     }
     barrier();
     for (uint i = gl_LocalInvocationID.x; i < processed; i += LANES) {
         const uint light_sample = light_samples[first + spread_place(i, kept, processed)];
         if (!from_cache(light_sample) || (light_sample & LIGHT_SAMPLE_VISIBLE) == 0u) continue;
         const uint b = light_sample & (buckets - 1u);
-        const uint halvings = min(2u * (bucket_greatest[b] - 1u - estimate_exponent(light_sample)), 31u);
+        const uint halvings = min(2u * (bucket_greatest[b] - 1u - light_sample_exponent(light_sample)), 31u);
         atomicAdd(bucket_squares[b], GREATEST_SQUARE >> halvings);
     }
     barrier();

@@ -92,9 +92,10 @@ SHADER_FN uint light_sample_pack_estimate(float estimate) {
     return uint(power) << LIGHT_SAMPLE_ESTIMATE_SHIFT;
 }
 
-SHADER_FN float light_sample_estimate(uint light_sample) {
-    return exp2(float((light_sample >> LIGHT_SAMPLE_ESTIMATE_SHIFT) & 127u) - 64.0f);
-}
+/// Of that power of two: its exponent + 64, 0 .. 127.
+SHADER_FN uint light_sample_exponent(uint light_sample) { return (light_sample >> LIGHT_SAMPLE_ESTIMATE_SHIFT) & 127u; }
+
+SHADER_FN float light_sample_estimate(uint light_sample) { return exp2(float(light_sample_exponent(light_sample)) - 64.0f); }
 
 /// An entry of a cache: light id, and above it for how many frames no sample has seen the light.
 SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;

@@ -3,6 +3,7 @@
 // is and keeps answering the window system; without one it tells a terminal. No time passes in the
 // level, and what is typed counts afterwards.
 #include "client/client.h"
+#include "client/ui/compile_box.h"
 #include "common/error.h"
 
 namespace vigil::client {

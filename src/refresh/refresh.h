@@ -11,6 +11,7 @@
 #include "refresh/settings.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -152,10 +153,14 @@ struct Draw {
 /// (docs/internals/units.md).
 inline constexpr float particle_radiance = 20.0f;
 
-/// Parts of particle_radiance that the first Quake II's things shine of themselves: what is never
-/// quite dark (its flag for a least light), and by how much its things to pick up pulse, with the
-/// sine of so many radians a second.
-inline constexpr float game_min_light = 0.02f, game_pickup_glow = 0.02f, game_pickup_speed = 7.0f;
+/// Radiance that the first Quake II's things shine of themselves: those that are never quite dark
+/// (its flag for a least light), and those to pick up, which pulse with its clock.
+inline float game_glow(bool never_dark, bool to_pick_up, double seconds) {
+    constexpr double part = 0.02, radians_per_s = 7.0;
+    const double pulse = 0.5 + 0.5 * std::sin(radians_per_s * seconds);
+    return particle_radiance *
+           static_cast<float>((never_dark ? part : 0.0) + (to_pick_up ? part * pulse : 0.0));
+}
 
 /// The first Quake II's light of an effect, with the radius that its game gives, is a ball of
 /// game_light_size times that radius, and its colour times game_light_radiance times that radius is

@@ -63,11 +63,8 @@ glm::vec3 glow_of(const ViewEntity& entity, const EngineView& view) {
     if (sprite || has(entity, flag_full_bright)) return glm::vec3(particle_radiance);
     if ((view.flags & view_infrared) != 0 && has(entity, flag_infrared_visible))
         return {particle_radiance, 0.0f, 0.0f};
-    float glow = has(entity, flag_min_light) ? refresh::game_min_light : 0.0f;
-    if (has(entity, flag_glow))
-        glow += refresh::game_pickup_glow *
-                (0.5f + 0.5f * std::sin(refresh::game_pickup_speed * view.time_s));
-    return glm::vec3(glow * particle_radiance);
+    return glm::vec3(refresh::game_glow(has(entity, flag_min_light), has(entity, flag_glow),
+                                        static_cast<double>(view.time_s)));
 }
 
 /// Things with other values are never the same: model, skin and what they are drawn as.

@@ -58,11 +58,7 @@ int automatic_frame(uint32_t effects, double time_s) {
 float glow_of(const dm2::EntityState& entity, double time_s) {
     const auto has = [&](uint32_t flag) { return (entity.render_flags & flag) != 0; };
     if (has(dm2::RF_FULLBRIGHT)) return refresh::particle_radiance;
-    float glow = has(dm2::RF_MINLIGHT) ? refresh::game_min_light : 0.0f;
-    if (has(dm2::RF_GLOW))
-        glow += refresh::game_pickup_glow *
-                (0.5f + 0.5f * static_cast<float>(std::sin(refresh::game_pickup_speed * time_s)));
-    return glow * refresh::particle_radiance;
+    return refresh::game_glow(has(dm2::RF_MINLIGHT), has(dm2::RF_GLOW), time_s);
 }
 
 } // namespace
@@ -254,7 +250,7 @@ void DemoPlayer::show_player(PlayedScene& scene, Session& session) {
     // As the game's client: it reaches into walls, is never quite dark, and rolls the other way.
     weapon.angles.z = -weapon.angles.z;
     weapon.flags = refresh::entity_weapon;
-    weapon.glow = glm::vec3(refresh::game_min_light * refresh::particle_radiance);
+    weapon.glow = glm::vec3(refresh::game_glow(true, false, 0.0));
     scene.entities.push_back(weapon);
 }
 

@@ -2,14 +2,11 @@
 // The ImGui context and one frame of it.
 #include "client/ui/overlay.h"
 
+#include "client/ui/compile_box.h"
 #include "client/ui/theme.h"
 #include "client/ui/widget_input.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
 namespace vigil::client {
@@ -20,15 +17,6 @@ constexpr float open_height = 0.5f; // of the screen
 constexpr float least_drop = 0.2f;  // of an open console: its input line can be seen
 constexpr float screens_per_second = 3.0f;
 constexpr int most_frames = 4; // that ImGui takes to give an open console the keyboard
-constexpr int font_scales = 3;
-constexpr float font_pixels = 13.0f; // ImGui's own font is drawn for this size
-constexpr float pixels_per_scale = 720.0f;
-
-/// The fonts are the same pixels doubled and tripled, so pick by the height of the picture.
-float scale_for(float height) {
-    return std::clamp(std::floor(height / pixels_per_scale + 0.5f), 1.0f,
-                      static_cast<float>(font_scales));
-}
 
 /// Four strokes around the middle pixel, dark under bright: visible on any ground.
 void draw_crosshair(float scale) {
@@ -55,37 +43,11 @@ void draw_stats(const std::vector<std::string>& lines) {
     ImGui::End();
 }
 
-void draw_compilation(const refresh::Compilation& state) {
-    constexpr const char* comfort = "The driver keeps them: the next start is quick.";
-    constexpr float height_in_window = 0.7f;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = ImGui::CalcTextSize(comfort).x + 2.0f * ImGui::GetStyle().WindowPadding.x;
-    ImGui::SetNextWindowPos({screen.x / 2.0f, height_in_window * screen.y}, ImGuiCond_Always,
-                            {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(width, screen.x), 0.0f});
-    ImGui::BeginTooltip(); // over all else
-    ImGui::TextColored(
-        theme::edge, "Compiling shaders: %s",
-        fmt::format("{} of {}, {:.0f} s", state.done, state.total, state.seconds).c_str());
-    ImGui::ProgressBar(std::clamp(state.share, 0.0f, 1.0f), {-FLT_MIN, 0.0f}, "");
-    ImGui::TextUnformatted(fmt::format("{}", fmt::join(state.passes, ", ")).c_str());
-    ImGui::TextDisabled("%s", comfort);
-    ImGui::EndTooltip();
-}
-
 } // namespace
 
-std::string compilation_text(const refresh::Compilation& state) {
-    return fmt::format("compiling {}: {} of {} shaders done, {:.0f} s",
-                       fmt::join(state.passes, ", "), state.done, state.total, state.seconds);
-}
-
 Overlay::Overlay(Clipboard clipboard) : clipboard_(std::move(clipboard)) {
-    IMGUI_CHECKVERSION();
-    context_ = ImGui::CreateContext();
+    context_ = theme::make_context();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // nothing is placed by hand, so nothing is remembered
-    io.LogFilename = nullptr;
     io.ClipboardUserData = this;
     io.GetClipboardTextFn = [](void* self) {
         auto& overlay = *static_cast<Overlay*>(self);
@@ -97,19 +59,6 @@ Overlay::Overlay(Clipboard clipboard) : clipboard_(std::move(clipboard)) {
     io.SetClipboardTextFn = [](void* self, const char* text) {
         static_cast<Overlay*>(self)->clipboard_.write(text);
     };
-    for (int i = 1; i <= font_scales; ++i) {
-        ImFontConfig config;
-        config.SizePixels = font_pixels * static_cast<float>(i);
-        config.OversampleH = 1;
-        config.PixelSnapH = true;
-        io.Fonts->AddFontDefault(&config);
-    }
-#if IMGUI_VERSION_NUM >= 19200
-    // Whoever draws the lists makes the textures that they ask for.
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
-#else
-    io.Fonts->Build();
-#endif
 }
 
 Overlay::~Overlay() {
@@ -139,13 +88,13 @@ ImDrawData* Overlay::draw(const OverlayContent& content, glm::ivec2 size, double
 /// Returns true when what was typed or opened takes another.
 bool Overlay::draw_frame(const OverlayContent& content, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
-    if (scale_ != scale_for(io.DisplaySize.y)) {
-        scale_ = scale_for(io.DisplaySize.y);
+    if (scale_ != theme::scale_for(io.DisplaySize.y)) {
+        scale_ = theme::scale_for(io.DisplaySize.y);
         ImGui::GetStyle() = theme::style(scale_);
     }
     io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4f);
     ImGui::NewFrame();
-    ImGui::PushFont(io.Fonts->Fonts[static_cast<int>(scale_) - 1]);
+    ImGui::PushFont(theme::letters(scale_));
     if (!content.stats.empty()) draw_stats(content.stats);
     if (drop_ > 0.0f) {
         content.console.draw(drop_, content.full ? 1.0f : open_height);

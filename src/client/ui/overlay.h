@@ -61,7 +61,4 @@ private:
     float drop_ = 0.0f; // height of the console in parts of the screen
 };
 
-/// "compiling indirect.vlc, direct.vlc: 3 of 12 shaders done, 8 s".
-std::string compilation_text(const refresh::Compilation& state);
-
 } // namespace vigil::client

@@ -1,7 +1,50 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "client/ui/theme.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vigil::client::theme {
+
+namespace {
+
+constexpr int font_scales = 3;
+constexpr float font_pixels = 13.0f; // ImGui's own font is drawn for this size
+constexpr float pixels_per_scale = 720.0f;
+
+} // namespace
+
+ImGuiContext* make_context() {
+    IMGUI_CHECKVERSION();
+    ImGuiContext* context = ImGui::CreateContext();
+    ImGui::SetCurrentContext(context);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // nothing is placed by hand, so nothing is remembered
+    io.LogFilename = nullptr;
+    for (int i = 1; i <= font_scales; ++i) {
+        ImFontConfig config;
+        config.SizePixels = font_pixels * static_cast<float>(i);
+        config.OversampleH = 1;
+        config.PixelSnapH = true;
+        io.Fonts->AddFontDefault(&config);
+    }
+#if IMGUI_VERSION_NUM >= 19200
+    // Whoever draws the lists makes the textures that they ask for.
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#else
+    io.Fonts->Build();
+#endif
+    return context;
+}
+
+float scale_for(float height) {
+    return std::clamp(std::floor(height / pixels_per_scale + 0.5f), 1.0f,
+                      static_cast<float>(font_scales));
+}
+
+ImFont* letters(float scale) {
+    return ImGui::GetIO().Fonts->Fonts[static_cast<int>(scale) - 1];
+}
 
 ImGuiStyle style(float scale) {
     const ImVec4 none{0.0f, 0.0f, 0.0f, 0.0f}, chosen{edge.x, edge.y, edge.z, 0.35f};

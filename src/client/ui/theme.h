@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What all that lies over the picture looks like: its colours and measures, and the two kinds of
-// windows.
+// What all that lies over the picture looks like: its colours, letters and measures, and the two
+// kinds of windows.
 #pragma once
 
 #include <imgui.h>
@@ -19,6 +19,13 @@ inline constexpr ImGuiWindowFlags sheet =
 /// Begins a window of text on a dark ground, behind all sheets.
 void begin_note(const char* name);
 
+/// A context with the letters of all scales, which is current then. It keeps no file.
+ImGuiContext* make_context();
+/// 1, 2 or 3, by the height of the picture in pixels: letters are the same pixels doubled and
+/// tripled.
+float scale_for(float height);
+/// Letters of the current context at such a scale.
+ImFont* letters(float scale);
 /// Measures for letters of 13 pixels, times `scale`.
 ImGuiStyle style(float scale);
 
