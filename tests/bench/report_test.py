@@ -212,6 +212,17 @@ class Defaults(unittest.TestCase):
         _, faults, _ = self.page(self.trade, self.confirm(self.better, trade={"key": "other", "commit": "abc"}))
         self.assertIn("another report", faults)
 
+    def test_a_page_that_differs_from_its_report_is_an_error(self):
+        text, _, _ = self.page(self.trade)
+        with tempfile.TemporaryDirectory() as folder:
+            committed = Path(folder) / "trade.md"
+            committed.write_text(text)
+            self.assertEqual(self.page(self.trade, arguments=["--check", str(committed)]), ("", "", 0))
+            self.assertIn("| `2` |", text)
+            for changed in (text.replace("| `2` |", "| `3` |"), text.replace(" = 0.8 ", " = 0.9 "), text + "\n"):
+                committed.write_text(changed)
+                self.assertIn("is not the page of", self.page(self.trade, arguments=["--check", str(committed)])[1])
+
     def test_reasons_have_no_numbers_of_their_own(self):
         for name, reason in defaults.REASONS.items():
             self.assertIsNone(re.search(r"\d+\.\d|\d%|\[\d", reason.text), name)
