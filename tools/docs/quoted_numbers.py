@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One source for every number: fills the numbers that pages quote from the reports that they come from.
+"""One source for every number: fills the numbers that pages (README.md, baseq2/README.md, docs/) quote from the reports that they come from.
 
-    python3 tools/docs/quoted_numbers.py            # writes them into README.md and docs/
+    python3 tools/docs/quoted_numbers.py            # writes them into the pages
     python3 tools/docs/quoted_numbers.py --check    # writes nothing; exits with 1 and a line for each that is another
 
 A quoted number stands between two marks, which pages do not show:
@@ -11,7 +11,7 @@ A quoted number stands between two marks, which pages do not show:
 
 KEY is one of these:
 
-- TABLE/ROW/COLUMN[/N]: of the table below a line <!--table TABLE--> in a page of docs/, the N-th number (1) of the cell; "all" is the
+- TABLE/ROW/COLUMN[/N]: of the table below a line <!--table TABLE--> in a page, the N-th number (1) of the cell; "all" is the
   whole cell. ROW is the first cell of the row, COLUMN that of the head, both without `, * and links.
 - REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full, the row with this label in the part of this name; PATH has the names of
   fields and indices, with dots between them. Of an interval it is the value.
@@ -38,7 +38,7 @@ STRICT = ("README.md", "docs/research/results.md")
 
 
 def pages(root):
-    return [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
+    return [page for page in (root / "README.md", root / "baseq2/README.md") if page.exists()] + sorted((root / "docs").rglob("*.md"))
 
 
 def plain(cell):
