@@ -65,6 +65,13 @@ class Numbers(Pages):
         text = (self.root / "README.md").read_text()
         self.assertEqual(quoted.plain(text), "It is 0.30 1.2 1.5 [1.2, 2.5] 0.12 374 30% 3.3")
 
+    def test_fills_defaults_of_variables(self):
+        self.write("docs/play/cvars.md", "| `pt_a` | `0.03` | 0 | help |\n| `pt_b` | `auto` | | help |\n")
+        status, _ = self.numbers("<!--n cvar:pt_b-->x<!--/n--> is <!--n cvar:pt_a-->x<!--/n-->")
+        self.assertEqual(status, 1)  # a mark begins the line
+        self.assertEqual(quoted.plain((self.root / "README.md").read_text()), "auto is 0.03")
+        self.assertIn("no number cvar:pt_c", self.numbers("is <!--n cvar:pt_c-->1<!--/n-->", "--check")[1])
+
     def test_notices_another_number(self):
         status, said = self.numbers("is <!--n t/a/vlc, time-->0.31<!--/n-->", "--check")
         self.assertEqual(status, 1)

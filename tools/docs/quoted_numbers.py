@@ -15,6 +15,7 @@ KEY is one of these:
   whole cell. ROW is the first cell of the row, COLUMN that of the head, both without `, * and links.
 - REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full, the row with this label in the part of this name; PATH has the names of
   fields and indices, with dots between them. Of an interval it is the value.
+- cvar:NAME: the default of a variable, as docs/play/cvars.md has it.
 
 FORMAT: D digits ("2"); "D%" the same as a percentage with D decimals; "1/D" the reciprocal; "D+" the share above 1, as a percentage.
 Without FORMAT a table's number stays as it is there, a report's has three digits.
@@ -34,7 +35,7 @@ NUMBER = re.compile(r"-?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?")
 MEASURED = re.compile(r"\d+\.\d+|\d+ ?%")
 CODE = re.compile(r"^(?: {4}|\t)[^\n]*$|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->", re.M | re.S)
 VERSION = re.compile(r"(?:Vulkan|Ubuntu|Debian|Mesa|lavapipe|GPL-?) ?\d[\d.]*")
-STRICT = ("README.md", "docs/research/results.md")
+STRICT = ("README.md", "docs/learn/lesson.md", "docs/learn/views.md", "docs/play/levels.md", "docs/research/results.md")
 
 
 def pages(root):
@@ -85,6 +86,13 @@ def of_report(root, key):
     return value["value"] if isinstance(value, dict) else value
 
 
+@cache
+def defaults(root):
+    """Default by variable."""
+    rows = re.findall(r"^\| `(\w+)` \| `?([^`|]*)`? \|", (root / "docs/play/cvars.md").read_text(), re.M)
+    return {name: value.strip() for name, value in rows}
+
+
 def of_table(tables, key):
     """The text of a cell, or its N-th number."""
     table, row, column, *place = re.split(r"(?<! )/(?! )", key)
@@ -130,7 +138,10 @@ def fill(root, texts):
         def number(match):
             key, form = match["key"].strip(), match["format"]
             try:
-                value = of_report(root, key) if ":" in key.split("/")[0] else of_table(tables, key)
+                if key.startswith("cvar:"):
+                    value = defaults(root)[key.removeprefix("cvar:")]
+                else:
+                    value = of_report(root, key) if ":" in key.split("/")[0] else of_table(tables, key)
                 return match[0][: match.start("text") - match.start()] + shown(value, form) + "<!--/n-->"
             except (KeyError, IndexError, StopIteration, ValueError, TypeError, OSError) as fault:
                 faults.append(f"{page.relative_to(root)}: no number {key} ({type(fault).__name__} {fault})")
