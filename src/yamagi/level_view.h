@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One view of the level, from the engine's structures to the renderer's: entities, lights, beams,
-// particles, light styles, and numbers that stay with them. docs/internals/front-end.md has the
-// table.
+// particles, light styles, and numbers that stay with them. docs/internals/front-end.md has
+// what is not obvious of it.
 #pragma once
 
 #include "refresh/preview/preview.h"
