@@ -71,7 +71,10 @@ struct Entity {
     ModelHandle model = -1;
     glm::vec3 origin{0.0f};
     glm::vec3 angles{0.0f}; // sprites look where the camera does instead
-    int skin = 0;           // of .md2: among the model's own
+    // Factors on its distance to the right of the line of sight, and above it: a weapon with an
+    // angle of view of its own, or, where the first is below 0, in the other hand. Not 0.
+    glm::vec2 view_scale{1.0f};
+    int skin = 0;  // of .md2: among the model's own
     int frame = 0; // of .md2: shown is mix(frame, old_frame, backlerp); of .sp2: the picture
     int old_frame = 0;
     float backlerp = 0.0f;

@@ -80,6 +80,10 @@ Sighting sighting_of(const ViewEntity& entity) {
     return {kind_of(entity), vec(entity.origin), std::nullopt, entity.frame, entity.old_frame};
 }
 
+float tangent_of_half(float degrees) {
+    return std::tan(0.5f * glm::radians(std::clamp(degrees, 1.0f, 170.0f)));
+}
+
 refresh::Beam beam_of(const ViewEntity& entity, const Screen& colors) {
     refresh::Beam beam;
     beam.from = vec(entity.origin);
@@ -118,6 +122,12 @@ void LevelView::begin_level(std::vector<LevelLight> lights) {
     light_ids_.clear();
 }
 
+glm::vec2 weapon_scale(const WeaponView& weapon, float fov_y) {
+    const float own = weapon.fov_y > 0.0f ? weapon.fov_y : fov_y;
+    const float scale = tangent_of_half(fov_y) / tangent_of_half(own);
+    return {weapon.left_handed ? -scale : scale, scale};
+}
+
 void waver(refresh::View& view, double time_s) {
     constexpr double turns_per_s = 0.4, breath = 0.02, sway = 1.0; // degrees
     const double phase = 2.0 * std::numbers::pi * std::fmod(turns_per_s * time_s, 1.0);
@@ -131,7 +141,7 @@ void LevelView::read(const EngineView& view, glm::ivec2 screen, Models& models,
     view_.origin = vec(view.origin) - client_shift;
     view_.angles = vec(view.angles);
     // A view smaller than the screen is the middle of one as high as the screen.
-    const float half = std::tan(0.5f * glm::radians(std::clamp(view.fov_y, 1.0f, 170.0f)));
+    const float half = tangent_of_half(view.fov_y);
     const float rows =
         static_cast<float>(std::max(screen.y, 1)) / static_cast<float>(std::max(view.height, 1));
     view_.fov_y = std::clamp(2.0f * glm::degrees(std::atan(half * rows)), 1.0f, 175.0f);
@@ -153,8 +163,10 @@ void LevelView::read_entities(std::span<const ViewEntity> entities, const Engine
     seen_.clear();
     for (const ViewEntity& entity : entities) {
         if (has(entity, flag_beam) || entity.model == nullptr) continue;
-        if (!weapon_ && has(entity, flag_weapon_model)) continue;
+        const bool weapon = has(entity, flag_weapon_model);
+        if (weapon && !weapon_.shown) continue;
         entities_.push_back(entity_of(entity, view, models));
+        if (weapon) entities_.back().view_scale = weapon_scale(weapon_, view.fov_y);
         seen_.push_back(sighting_of(entity));
     }
     const std::vector<uint32_t> numbers = entity_ids_.assign(seen_, time_s_);

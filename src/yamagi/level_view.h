@@ -14,14 +14,24 @@
 
 namespace vigil::yamagi {
 
+/// How the weapon in hand is shown.
+struct WeaponView {
+    bool shown = true;
+    bool left_handed = false;
+    float fov_y = 0.0f; // vertical degrees; 0 or less: those of the view
+};
+
+/// refresh::Entity::view_scale of the weapon in a view of `fov_y` vertical degrees.
+glm::vec2 weapon_scale(const WeaponView& weapon, float fov_y);
+
 class LevelView {
 public:
     /// Takes over what the view shows. `screen` is the size that the engine draws for;
     /// `light_brightness` a factor on the radiance of dynamic lights.
     void read(const EngineView& view, glm::ivec2 screen, Models& models, const Screen& colors,
               float light_brightness);
-    /// Whether the weapon in hand is seen, from the next read() on.
-    void show_weapon(bool shown) { weapon_ = shown; }
+    /// From the next read() on.
+    void show_weapon(const WeaponView& weapon) { weapon_ = weapon; }
     /// Another level, lit by these besides: numbers begin anew.
     void begin_level(std::vector<LevelLight> lights);
 
@@ -35,7 +45,7 @@ private:
     void read_particles(std::span<const ViewParticle> particles, const Screen& colors);
 
     refresh::View view_;
-    bool weapon_ = true;
+    WeaponView weapon_;
     double time_s_ = 0.0;
     std::array<float, refresh::light_style_count> styles_{};
     std::vector<refresh::Entity> entities_;

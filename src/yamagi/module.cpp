@@ -25,6 +25,8 @@ constexpr const char* first_mode = "4"; // 640 x 480
 // The game's lights are as bright as light maps can be: a shot would outshine a level of lamps a
 // hundred times. With this it is about as bright as the brightest of their walls.
 constexpr const char* dlight_scale = "0.03";
+/// Of the weapon, vertical degrees: as the engine's other renderers have it.
+constexpr const char* gun_fov = "80";
 
 const client::PassSum sums[] = {{refresh::PassGroup::Preparation, "= preparation"},
                                 {refresh::PassGroup::PathTracing, "= path tracing"},
@@ -231,8 +233,10 @@ void Module::render_view(const EngineView& view) {
         return;
     }
     const float lights = engine_.value("vigil_dlight_scale", dlight_scale, variable_archived);
-    constexpr float hand_in_the_middle = 2.0f; // where the game shows no weapon
-    view_.show_weapon(engine_.value("hand", "0") != hand_in_the_middle);
+    constexpr float left_hand = 1.0f, no_hand = 2.0f; // where the game shows no weapon
+    const float hand = engine_.value("hand", "0");
+    view_.show_weapon({hand != no_hand, hand == left_hand,
+                       engine_.value("r_gunfov", gun_fov, variable_archived)});
     view_.read(view, size_, models_, screen_, std::max(lights, 0.0f));
     level_seen_ = true;
     const float(&blend)[4] = view.blend;

@@ -9,6 +9,7 @@
 #include "refresh/vkpt/scene/transform.h"
 #include "render_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -107,6 +108,58 @@ TEST_P(EntityTest, CameraRaysSeeWhatTheyMay) {
     EXPECT_EQ(even_radiance(along_x({near, behind_the_wall, nearest})), glm::vec3(1));
     near.alpha = 0.0f;
     EXPECT_EQ(even_radiance(along_x({near, behind_the_wall, nearest})), glm::vec3(0));
+}
+
+TEST_P(EntityTest, HaveAnAngleOfViewOfTheirOwn) {
+    write_game_file("models/chip.glb",
+                    triangle_glb(R"("scale":[40,40,40],"translation":[5,3,0],)", white));
+    load_dark();
+    refresh::Entity chip =
+        placed(renderer().register_model("models/chip.glb"), {0, 0, 0}, {0, -90, 0});
+    chip.flags = refresh::entity_weapon;
+    chip.glow = {1, 1, 1};
+    Shot shot;
+    shot.view = {{-192, 10, 64}, {5, 20, 10}, 90, 40};
+    // The picture of what lies 150 units ahead in the camera's own axes.
+    const auto coverage = [&](float fov_y, glm::vec2 scale) {
+        shot.view.fov_y = fov_y;
+        const glm::mat3 axes = rotation_from_angles(shot.view.angles);
+        chip.origin = shot.view.origin + 150.0f * axes[0];
+        chip.angles = {20, -60, 30};
+        chip.view_scale = scale;
+        shot.entities = {chip};
+        std::vector<bool> covered;
+        for (const float value : radiance(shot).rgb)
+            covered.push_back(value > 0.5f);
+        return covered;
+    };
+    const auto differ = [](const std::vector<bool>& a, const std::vector<bool>& b) {
+        int count = 0;
+        for (size_t i = 0; i < a.size(); ++i)
+            count += a[i] != b[i] ? 1 : 0;
+        return count;
+    };
+    const std::vector<bool> seen = coverage(40, glm::vec2(1));
+    const int size = static_cast<int>(std::ranges::count(seen, true));
+    EXPECT_GT(size, 3 * 60);
+    // A pixel may lie on an edge: rounding decides.
+    constexpr int edge = 3 * 2;
+    const float wider = std::tan(glm::radians(30.0f)) / std::tan(glm::radians(20.0f));
+    EXPECT_GT(differ(seen, coverage(60, glm::vec2(1))), size / 4);
+    EXPECT_LE(differ(seen, coverage(60, glm::vec2(wider))), edge);
+    // In the other hand it is its mirror image.
+    std::vector<bool> mirrored = coverage(40, {-1, 1});
+    EXPECT_GT(differ(seen, mirrored), size / 4);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width / 2; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const auto left = static_cast<size_t>(3 * (y * width + x) + c);
+                const auto right = static_cast<size_t>(3 * (y * width + width - 1 - x) + c);
+                const bool kept = mirrored[left];
+                mirrored[left] = mirrored[right];
+                mirrored[right] = kept;
+            }
+    EXPECT_LE(differ(seen, mirrored), edge);
 }
 
 TEST_P(EntityTest, OpacityIsAChance) {

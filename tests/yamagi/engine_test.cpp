@@ -89,6 +89,16 @@ TEST(Views, WaverUnderWater) {
     EXPECT_NEAR(roll, 0.0, 1e-3);
 }
 
+TEST(Views, WeaponsHaveTheirAngleAndHand) {
+    EXPECT_EQ(weapon_scale({}, 60.0f), glm::vec2(1.0f));
+    EXPECT_EQ(weapon_scale({true, true, -1.0f}, 60.0f), glm::vec2(-1.0f, 1.0f));
+    // What fills the height of its own 90 degrees is tan(30) as high in a view of 60: it is drawn
+    // that much smaller across.
+    const glm::vec2 scale = weapon_scale({true, false, 90.0f}, 60.0f);
+    EXPECT_NEAR(scale.x, std::tan(glm::radians(30.0f)), 1e-6f);
+    EXPECT_EQ(scale.x, scale.y);
+}
+
 TEST(LevelLights, AreThoseOfEntitiesOrOfStarts) {
     Bsp bsp;
     const std::string starts = R"({ "classname" "worldspawn" }

@@ -371,7 +371,9 @@ void Scene::add_entity(const refresh::Entity& entity, const refresh::View& view)
     const size_t placed =
         model.md2 ? pose_of(entity) : model.frames[wrap_frame(entity.frame, model.frames.size())];
     const auto number = static_cast<uint32_t>(entity.number);
-    add_model(placed, rigid_transform(entity.origin, model.sprite ? view.angles : entity.angles),
+    const glm::mat4x3 transform =
+        rigid_transform(entity.origin, model.sprite ? view.angles : entity.angles);
+    add_model(placed, scaled_across_view(transform, view.origin, view.angles, entity.view_scale),
               glm::vec3(1.0f), entity_key_base + number, number, look);
 }
 

@@ -28,6 +28,17 @@ inline glm::mat4x3 scale_transform(const glm::vec3& origin, float scale) {
     return {glm::vec3(scale, 0, 0), glm::vec3(0, scale, 0), glm::vec3(0, 0, scale), origin};
 }
 
+/// What `m` places, drawn together across the line of sight from `eye` along `angles`: by `scale`
+/// to the right and upwards.
+inline glm::mat4x3 scaled_across_view(const glm::mat4x3& m, const glm::vec3& eye,
+                                      const glm::vec3& angles, const glm::vec2& scale) {
+    if (scale == glm::vec2(1.0f)) return m;
+    const glm::mat3 axes = rotation_from_angles(angles); // forward, left, up
+    const glm::mat3 linear =
+        glm::mat3(axes[0], scale.x * axes[1], scale.y * axes[2]) * glm::transpose(axes);
+    return {linear * m[0], linear * m[1], linear * m[2], eye + linear * (m[3] - eye)};
+}
+
 /// Brings the unit octahedron between two different points, `radius` units wide in the middle.
 inline glm::mat4x3 spindle_transform(const glm::vec3& from, const glm::vec3& to, float radius) {
     const glm::vec3 half = 0.5f * (to - from);
