@@ -3,9 +3,7 @@
 # Yamagi Quake II records a demo on one of our levels; then the engine with the module and build/vigil play it.
 #   demo.sh pictures [BUILD]   their raw pictures of the same frames have the same means, for every pt_nee
 #   demo.sh times [BUILD]      16 guards and rockets: times of passes, in turns, as a table
-# It ends with status 77 where the engine is missing. As root it starts the engine as nobody: it does not start for root.
-# SEEDS, ROUNDS, TECHNIQUES, DEMO (a file, in place of what is recorded) and DEMO_FOLDER (what is made stays there) change
-# what is done.
+# SEEDS, ROUNDS, TECHNIQUES and DEMO (a file, in place of what is recorded) change what is done; see engine.sh for more.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 what=${1:-pictures}
@@ -13,82 +11,11 @@ build=${2:-build}
 techniques=${TECHNIQUES:-sll lh vlc}
 every=6
 
-step() { printf '== %s\n' "$*"; }
-note() { :; }
-die() { printf '%s\n' "$*" >&2; exit 1; }
-skip() { printf 'skipped: %s\n' "$*"; exit 77; }
-for part in cache packages sources driver build quake2; do
-  # shellcheck source=/dev/null
-  source "tools/run/$part.sh"
-done
-
-# ---- what there is ----
-
-engine=$(installed_engine) || engine=$(cache_folder)/quake2/engine/files/usr/lib/yamagi-quake2
-[ -x "$engine/quake2" ] || skip "Yamagi Quake II is not here; ./run quake2 fetches it, VIGIL_YQ2 names its folder"
-for program in Xvfb python3 setpriv; do
-  command -v "$program" >/dev/null || skip "$program is not installed"
-done
-[ -e "$build/ref_vigil.so" ] && [ -x "$build/vigil" ] || die "$build has no ref_vigil.so and vigil: build them"
-
-scratch=${DEMO_FOLDER:-$(mktemp -d)}
-mkdir -p "$scratch"
-scratch=$(cd "$scratch" && pwd)
-display_process=''
-leave() {
-  if [ -n "$display_process" ]; then kill "$display_process" 2>/dev/null || true; fi
-  if [ -z "${DEMO_FOLDER:-}" ]; then rm -rf "$scratch"; fi
-}
-trap leave EXIT
-
-data=$scratch/run
-lay_out "$engine" "$data" ''
-rm "$data/ref_vigil.so"
-cp "$build/ref_vigil.so" "$data/"
-home=$scratch/home
-mkdir -p "$home/.yq2/baseq2/demos" "$home/.local/share" "$scratch/out/demos" "$scratch/pictures"
-
-as_player=()
-if [ "$(id -u)" = 0 ]; then
-  chown -R 65534 "$home"
-  chmod a+rx "$scratch"
-  chmod -R a+rX "$data"
-  as_player=(setpriv --reuid=65534 --clear-groups)
-fi
-# The chosen driver may lie in a folder that the player cannot read.
-driver=${VK_DRIVER_FILES:-${VK_ICD_FILENAMES:-}}
-if [ -n "$driver" ] && [ "$(id -u)" = 0 ]; then
-  cp -r "$(dirname "$driver")" "$scratch/driver"
-  sed -i "s|$(dirname "$driver")|$scratch/driver|" "$scratch/driver/$(basename "$driver")"
-  chmod -R a+rX "$scratch/driver"
-  driver=$scratch/driver/$(basename "$driver")
-fi
-
-exec 3<>"$scratch/display"
-Xvfb -displayfd 3 -screen 0 1280x720x24 >/dev/null 2>&1 &
-display_process=$!
-for _ in $(seq 50); do
-  sleep 0.2
-  if [ -s "$scratch/display" ]; then break; fi
-done
-exec 3>&-
-[ -s "$scratch/display" ] || skip "Xvfb does not start"
+# shellcheck source=/dev/null
+source tests/yamagi/engine.sh
+[ -x "$build/vigil" ] || die "$build has no vigil: build it"
 
 # ---- playing ----
-
-# run_engine WIDTH HEIGHT LOG: with the commands of standard input, which it takes from a file: it has room for 50 words.
-run_engine() {
-  cat >"$home/.yq2/baseq2/commands.cfg"
-  rm -f "$home/.yq2/baseq2/config.cfg"
-  if ! (cd "$data" && exec timeout 600 "${as_player[@]}" env -i PATH="$PATH" HOME="$home" LANG=C.UTF-8 \
-    DISPLAY=":$(cat "$scratch/display")" ${driver:+VK_DRIVER_FILES="$driver" VK_ICD_FILENAMES="$driver"} \
-    SDL_AUDIODRIVER=dummy ./quake2 -datadir "$data" +set vid_renderer vigil +set s_initsound 0 +set allow_download 0 \
-    +set vid_fullscreen 0 +set r_mode -1 +set r_customwidth "$1" +set r_customheight "$2" +set r_vsync 0 \
-    +set vigil_headless "${headless:-0}" +exec commands.cfg) >"$3" 2>&1; then
-    tail -n 20 "$3" >&2
-    die "the engine ended badly"
-  fi
-}
 
 # play_engine TECHNIQUE LOG COMMAND ...: the demo, every frame once. The clock stands: time is the demo's.
 play_engine() {
@@ -112,9 +39,6 @@ play_own() {
 }
 
 frames_of() { grep -aoE '[0-9]+ frames, [0-9.]+ seconds: ' "$1" | tail -n 1 | cut -d ' ' -f 1; }
-
-# waits N: so many of the engine's frames.
-waits() { for _ in $(seq "$1"); do echo wait; done; }
 
 # record COMMANDS: what they do on the warehouse becomes the demo `shown`; 20 of the engine's frames are a second.
 record() {

@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# A session of Yamagi Quake II with the module, by script, under Vulkan's validation.
+#   session.sh [BUILD]   menu, new game, walking, shooting, saving, death, loading, the other hand; then 20 changes of level
+# Pictures of each step go to pictures/ in ENGINE_FOLDER. It fails for a black picture, one like the picture before it, a
+# message of validation or of a sanitizer, a leak of the module, and for memory that grows from level to level. A module that was
+# built with sanitizers (build-asan) is run with them. See engine.sh for more.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+build=${1:-build}
+# shellcheck source=/dev/null
+source tests/yamagi/engine.sh
+
+# What the engine must have loaded before a module that was compiled with sanitizers.
+sanitizer_library() {
+  local compiler name=libasan.so
+  compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' "$build/CMakeCache.txt")
+  case $compiler in *clang*) name=libclang_rt.asan-$(uname -m).so ;; esac
+  "$compiler" -print-file-name="$name"
+}
+
+sanitized=''
+if grep -q __asan_init "$build/ref_vigil.so"; then
+  sanitized=1
+  # The engine is not ours, nor is what it leaks. It loads libcurl, which waits for ever unless it was there from the start.
+  printf 'leak:%s\n' quake2 game.so libSDL libX11 libvulkan libLLVM >"$scratch/leaks"
+  chmod a+r "$scratch/leaks"
+  engine_environment=(LD_PRELOAD="$(sanitizer_library):libcurl.so.4" ASAN_OPTIONS=detect_leaks=1 LSAN_OPTIONS=suppressions="$scratch/leaks")
+fi
+
+# judge_log LOG: fails for what a good session does not say.
+judge_log() {
+  if grep -aiE 'validation (error|warning)|VUID|AddressSanitizer|LeakSanitizer|runtime error|vigil: error|not finite' "$1"; then
+    die "the session said that: $1"
+  fi
+}
+
+# play LOG: the commands of standard input; then the log is judged. Its memory (KiB) is written down twice a second.
+play() {
+  : >"$scratch/memory"
+  (
+    while sleep 0.5; do
+      sed -n 's/^VmRSS:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$(pgrep -n quake2)/status" 2>/dev/null >>"$scratch/memory" || true
+    done
+  ) &
+  local watcher=$!
+  run_engine 320 240 "$1" +set vk_validation 2
+  kill "$watcher"
+  wait "$watcher" 2>/dev/null || true
+  judge_log "$1"
+}
+
+# shot NAME: a picture of this step; `names` has them in order.
+shot() {
+  printf '%s\n' wait 'screenshot bmp' wait
+}
+
+step "Menu, game, death, load"
+names=(menu start walked shooting dead loaded left_handed)
+{
+  printf '%s\n' "set fixedtime 50000" "set cheats 1" menu_main
+  waits 8
+  shot menu
+  echo newgame
+  waits 30
+  shot start
+  echo +forward
+  waits 24
+  echo -forward
+  shot walked
+  echo +attack
+  waits 6
+  shot shooting
+  echo -attack
+  waits 10
+  echo "save session"
+  waits 4
+  echo kill
+  waits 30
+  shot dead
+  echo "load session"
+  waits 24
+  shot loaded
+  echo "hand 1"
+  waits 12
+  shot left_handed
+  echo quit
+} | play "$scratch/session.log"
+
+step "20 changes of level"
+levels=(warehouse gallery mine yard room)
+{
+  printf '%s\n' "set fixedtime 50000"
+  for i in $(seq 0 19); do
+    echo "map ${levels[i % 5]}"
+    waits 12
+  done
+  echo quit
+} | play "$scratch/levels.log"
+
+step "Judging"
+python3 tests/yamagi/judge_session.py "$scratch" "$home/.yq2/baseq2/scrnshot" "${sanitized:-0}" "${names[@]}"
