@@ -32,10 +32,6 @@ vec2 smooth_variance(ivec2 pixel, uint source, vec2 deviation) {
     return sum / weights;
 }
 
-bool same_side(ivec2 at, ivec2 pixel) {
-    return inside_picture(at) && (at.x < int(frame.split_column)) == (pixel.x < int(frame.split_column));
-}
-
 /// Light of the eight around a pixel, whatever they show. The brighter, the less it counts: a lamp's own surface tells little of others.
 Light2 light_around(ivec2 pixel, uint source, Light2 middle) {
     Light2 sum = Light2(vec3(0.0), vec3(0.0), vec2(0.0));

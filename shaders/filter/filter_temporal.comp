@@ -14,6 +14,27 @@ vec3 dim(vec3 light, float limit) {
     return bright > limit ? light * (limit / bright) : light;
 }
 
+/// Indirect light of the pixels around that traced it in this frame, on the surface that a pixel shows; where there are none, of as much as `brightness`.
+vec3 indirect_around(ivec2 pixel, PrimaryHit hit, FilterSurface surface, float brightness) {
+    const vec4 facing = unpackSnorm4x8(surface.facing);
+    const float tolerance = 2.0 * surface.depth * frame.pixel_angle;
+    float count = 0.0;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        const int side = 2 * (i >> 1) - 1;
+        const ivec2 at = pixel + ((i & 1) == 0 ? ivec2(side, 0) : ivec2(0, side));
+        if (!same_side(at, pixel)) continue;
+        const uint index = pixel_index(at);
+        const PrimaryHit other = primary_hits[index];
+        if (other.primitive == NONE || other.instance != hit.instance) continue;
+        if (alike(facing, unpackSnorm4x8(pack_facing(other.normal, other.gloss))) < 0.2) continue;
+        if (abs(dot(other.position - hit.position, hit.normal)) > tolerance) continue;
+        sum += filter_input[index].indirect;
+        count += 1.0;
+    }
+    return count > 0.0 ? sum / (count * float(path_count)) : vec3(brightness);
+}
+
 void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
@@ -51,12 +72,17 @@ void main() {
         // What was seen before says little about lamps that have just come.
         limits = mix(min(limits, max(by_past, by_tiles)), limits, greaterThan(changed, vec2(0.1)));
     }
+    // A pixel whose turn it was not to trace indirect light keeps what is known. While that is little, those around tell more.
+    const bool traced = has_indirect_turn(pixel, indirect_turn), asks = past.frames.y < 0.5 || changed.y > 0.1;
+    const vec2 seen = vec2(1.0, traced || asks ? 1.0 : 0.0);
+    if (!traced && asks) indirect = indirect_around(ivec2(pixel), hit, surface, around_mean.y);
     direct = dim(direct, limits.x);
     indirect = dim(indirect, limits.y);
 
     // Join both. Where lamps have changed, what is new counts the more.
-    const vec2 frames = min(past.frames + 1.0, vec2(float(frame.settings.flt_history)));
-    const vec2 part = clamp(max(1.0 / frames, 1.5 * changed), vec2(0.0), vec2(1.0));
+    const vec2 frames = min(past.frames + seen, vec2(float(frame.settings.flt_history)));
+    const vec2 share = clamp(max(1.0 / frames, 1.5 * changed), vec2(0.0), vec2(1.0)); // of one frame
+    const vec2 part = seen * share;
     FilterHistory joined;
     const vec3 mean_direct = mix(past.direct, direct, part.x), mean_indirect = mix(past.indirect, indirect, part.y);
     const vec2 bright = luminances(direct, indirect);
@@ -64,13 +90,13 @@ void main() {
     joined.direct = pack_color(mean_direct);
     joined.indirect = pack_color(mean_indirect);
     joined.second_moments = packHalf2x16(sqrt(second_moments));
-    joined.lengths = packHalf2x16(1.0 / part);
+    joined.lengths = packHalf2x16(1.0 / share);
     filter_history[this_half() + index] = joined;
 
     // How far the means may be off: from their own past, or, while that is short, from the tiles around.
     const bvec2 young = lessThan(frames, vec2(YOUNG));
     const vec2 mean = luminances(mean_direct, mean_indirect);
     const vec2 known = max(second_moments - mean * mean, vec2(0.0));
-    const vec2 variance = mix(known, max(known, around_second_moments), young) * part;
+    const vec2 variance = mix(known, max(known, around_second_moments), young) * share;
     filter_light[index] = pack_light(Light2(mean_direct, mean_indirect, sqrt(variance)));
 }

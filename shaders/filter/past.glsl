@@ -51,11 +51,11 @@ void add_past(inout Past past, uint index, float weight) {
     past.frames += weight * unpackHalf2x16(filter_history[index].lengths);
 }
 
-/// The means at a place `within` the four pixels from `first` on, which all show the surface, by the pixels around as well: a mean of four in every frame
-/// would blur shadows by more than a pixel. Catmull-Rom without its corners.
+/// Direct light at a place `within` the four pixels from `first` on, which all show the surface, by the pixels around as well: a mean of four in every
+/// frame would blur shadows by more than a pixel. Catmull-Rom without its corners. Indirect light has no such edges.
 void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
     const mat4x2 weights = catmull_rom(within);
-    vec3 direct = vec3(0.0), indirect = vec3(0.0);
+    vec3 direct = vec3(0.0);
     float sum = 0.0;
     for (int i = 0; i < 12; ++i) {
         // Four between the four, two on each side of them.
@@ -67,11 +67,9 @@ void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
         const uint index = last_index(at);
         if (abs(weight) < 1e-3 || i >= 4 && !shows_same(index, at, then)) continue;
         direct += weight * unpack_color(filter_history[index].direct);
-        indirect += weight * unpack_color(filter_history[index].indirect);
         sum += weight;
     }
     past.direct = max(direct / sum, vec3(0.0));
-    past.indirect = max(indirect / sum, vec3(0.0));
 }
 
 /// How much of a surface a pixel covers, at a place `offset` from a camera, up to a factor.

@@ -138,6 +138,8 @@
         "1: Lamps in view show their texture. 0: They show their mean radiance.") \
     GPU_CHOICE(pt_texture_filter, Session, Reference, "bilinear", "nearest|bilinear|full", \
         "How textures are magnified. full: bilinear, and never from a smaller mip level.") \
+    CHOICE(pt_indirect_rate, Archived, Picture, "full", "full|half", \
+        "Pixels that trace indirect light in a filtered frame. half: every second one, in turns. Raw frames trace all.") \
     INTEGER(flt_enable, Archived, Picture, 1, 0, 1, \
         "Denoiser. 1: Light is averaged over time and over neighbouring pixels, except while pt_accumulate is 1. 0: The picture stays as it is traced.") \
     GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \
