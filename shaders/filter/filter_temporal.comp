@@ -16,7 +16,6 @@ vec3 dim(vec3 light, float limit) {
 
 /// Indirect light of the pixels around that traced it in this frame, on the surface that a pixel shows; where there are none, of as much as `brightness`.
 vec3 indirect_around(ivec2 pixel, PrimaryHit hit, FilterSurface surface, float brightness) {
-    const vec4 facing = unpackSnorm4x8(surface.facing);
     const float tolerance = 2.0 * surface.depth * frame.pixel_angle;
     float count = 0.0;
     vec3 sum = vec3(0.0);
@@ -25,10 +24,8 @@ vec3 indirect_around(ivec2 pixel, PrimaryHit hit, FilterSurface surface, float b
         const ivec2 at = pixel + ((i & 1) == 0 ? ivec2(side, 0) : ivec2(0, side));
         if (!same_side(at, pixel)) continue;
         const uint index = pixel_index(at);
-        const PrimaryHit other = primary_hits[index];
-        if (other.primitive == NONE || other.instance != hit.instance) continue;
-        if (alike(facing, unpackSnorm4x8(pack_facing(other.normal, other.gloss))) < 0.2) continue;
-        if (abs(dot(other.position - hit.position, hit.normal)) > tolerance) continue;
+        if (primary_hits[index].primitive == NONE || primary_hits[index].instance != hit.instance) continue;
+        if (abs(dot(primary_hits[index].position - hit.position, hit.normal)) > tolerance) continue;
         sum += filter_input[index].indirect;
         count += 1.0;
     }
@@ -61,21 +58,23 @@ void main() {
     vec2 changed = vec2(0.0);
     if ((frame.filter_flags & FILTER_CHANGES) != 0u) changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
     past.frames *= vec2(1.0) - step(vec2(0.95), changed);
-    vec2 around_mean, around_second_moments;
-    brightness_around(ivec2(pixel), around_mean, around_second_moments);
     const vec2 past_mean = luminances(past.direct, past.indirect);
     vec2 limits = vec2(FILTER_MAX);
-    if (frame.settings.flt_firefly > 0.0) {
-        const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
+    if (frame.settings.flt_firefly > 0.0)
+        limits = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
+    // A pixel whose turn it was not to trace indirect light keeps what is known. While that is little, it asks those around.
+    const bool traced = has_indirect_turn(pixel, indirect_turn), asks = !traced && (past.frames.y < YOUNG || changed.y > 0.1);
+    const vec2 seen = vec2(1.0, traced || asks ? 1.0 : 0.0);
+    // Most pixels need not know how bright it is around.
+    vec2 around_mean = vec2(0.0), around_second_moments = vec2(0.0);
+    if (asks || any(lessThan(past.frames, vec2(YOUNG))) || any(greaterThan(luminances(direct, indirect), limits))) {
+        brightness_around(ivec2(pixel), around_mean, around_second_moments);
         const vec2 by_tiles =
             around_mean + frame.settings.flt_firefly * sqrt(max(around_second_moments - around_mean * around_mean, vec2(0.0)));
         // What was seen before says little about lamps that have just come.
-        limits = mix(min(limits, max(by_past, by_tiles)), limits, greaterThan(changed, vec2(0.1)));
+        limits = mix(min(max(limits, by_tiles), vec2(FILTER_MAX)), vec2(FILTER_MAX), greaterThan(changed, vec2(0.1)));
     }
-    // A pixel whose turn it was not to trace indirect light keeps what is known. While that is little, those around tell more.
-    const bool traced = has_indirect_turn(pixel, indirect_turn), asks = past.frames.y < 0.5 || changed.y > 0.1;
-    const vec2 seen = vec2(1.0, traced || asks ? 1.0 : 0.0);
-    if (!traced && asks) indirect = indirect_around(ivec2(pixel), hit, surface, around_mean.y);
+    if (asks) indirect = indirect_around(ivec2(pixel), hit, surface, around_mean.y);
     direct = dim(direct, limits.x);
     indirect = dim(indirect, limits.y);
 

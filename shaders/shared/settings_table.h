@@ -89,7 +89,7 @@
         "Octree: Eight leaves with fewer samples together become one. The number is for 1920 x 1080.") \
     REAL(pt_oct_scale, Session, Reference, 1.0, 0.001, 1000.0, \
         "Octree: Factor on both thresholds. They also follow the number of pixels.") \
-    GPU_INTEGER(pt_vlc_bucket, Session, Reference, 32, 1, 64, \
+    GPU_INTEGER(pt_vlc_bucket, Archived, Reference, 32, 1, 64, \
         "vlc: Most lights weighted per hit. Caches with more lights have several buckets.") \
     GPU_REAL(pt_vlc_explore, Archived, Reference, 0.03, 0.0, 1.0, \
         "vlc: Share of light samples that look for lights outside the cache. 0: None do, and lights that no cache has are missing.") \
