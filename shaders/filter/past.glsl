@@ -36,11 +36,14 @@ Then point_before(PrimaryHit hit, FilterSurface surface) {
                 vec3(dot(first, normal), step * vec2(dot(frame.last_camera_right, normal), dot(frame.last_camera_up, normal))));
 }
 
-bool shows_same(uint index, ivec2 pixel, Then then) {
+bool shows_plane(uint index, ivec2 pixel, Then then) {
     const float depth = filter_surfaces[index].depth;
     if (depth == 0.0 || filter_surfaces[index].id != then.id) return false;
-    if (alike(unpackSnorm4x8(filter_surfaces[index].facing), then.facing) < 0.2) return false;
     return abs(depth * dot(then.along, vec3(1.0, pixel)) - dot(then.offset, then.facing.xyz)) < then.tolerance;
+}
+
+bool shows_same(uint index, ivec2 pixel, Then then) {
+    return shows_plane(index, pixel, then) && alike(unpackSnorm4x8(filter_surfaces[index].facing), then.facing) >= 0.2;
 }
 
 void add_past(inout Past past, uint index, float weight) {
@@ -65,7 +68,7 @@ void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
         if (!inside_last(at)) continue;
         const float weight = weights[tap.x].x * weights[tap.y].y;
         const uint index = last_index(at);
-        if (abs(weight) < 1e-3 || i >= 4 && !shows_same(index, at, then)) continue;
+        if (abs(weight) < 1e-3 || i >= 4 && !shows_plane(index, at, then)) continue;
         direct += weight * unpack_color(filter_history[index].direct);
         sum += weight;
     }
