@@ -26,6 +26,11 @@ uint last_index(ivec2 pixel) { return last_half() + uint(pixel.y) * frame.last_s
 bool inside_last(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.last_size))); }
 bool inside_picture(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.size))); }
 
+/// Whether a place is in the picture, on the same side of it as a pixel.
+bool same_side(ivec2 at, ivec2 pixel) {
+    return inside_picture(at) && (at.x < int(frame.split_column)) == (pixel.x < int(frame.split_column));
+}
+
 /// A normal to within 0.4% of its length, the cheapest to unpack, which a step over neighbours does nine times; and how shiny its surface is, 0..1:
 /// surfaces that reflect differently share no light.
 uint pack_facing(vec3 normal, uint gloss) {

@@ -12,8 +12,6 @@
 const float NEW_PART = 0.1;    // of this frame in the mean
 const float DEVIATIONS = 1.25; // that the mean may be off the colours around
 
-bool inside_side(ivec2 pixel) { return inside_picture(pixel) && pixel.x >= int(first_column) && pixel.x < int(end_column); }
-
 /// Pixels of the frame before per pixel of this one.
 vec2 last_scale() { return vec2(frame.last_size) / vec2(frame.size); }
 
@@ -63,7 +61,7 @@ void main() {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             const ivec2 at = ivec2(pixel) + ivec2(x, y);
-            if (!inside_side(at)) continue;
+            if (!inside_side(uvec2(at))) continue;
             const vec3 color = compress(unpack_color(filter_light[composed_index(pixel_index(at))].xy), factor);
             if (x == 0 && y == 0) middle = color;
             sum += color;
@@ -71,6 +69,7 @@ void main() {
             darkest = min(darkest, color);
             brightest = max(brightest, color);
             count += 1.0;
+            if (x != 0 && y != 0) continue;
             const float depth = filter_surfaces[this_half() + pixel_index(at)].depth;
             if (depth > 0.0 && depth < nearest) {
                 nearest = depth;

@@ -14,6 +14,24 @@ vec3 dim(vec3 light, float limit) {
     return bright > limit ? light * (limit / bright) : light;
 }
 
+/// Indirect light of the pixels around that traced it in this frame, on the surface that a pixel shows; where there are none, of as much as `brightness`.
+vec3 indirect_around(ivec2 pixel, PrimaryHit hit, FilterSurface surface, float brightness) {
+    const float tolerance = 2.0 * surface.depth * frame.pixel_angle;
+    float count = 0.0;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        const int side = 2 * (i >> 1) - 1;
+        const ivec2 at = pixel + ((i & 1) == 0 ? ivec2(side, 0) : ivec2(0, side));
+        if (!same_side(at, pixel)) continue;
+        const uint index = pixel_index(at);
+        if (primary_hits[index].primitive == NONE || primary_hits[index].instance != hit.instance) continue;
+        if (abs(dot(primary_hits[index].position - hit.position, hit.normal)) > tolerance) continue;
+        sum += filter_input[index].indirect;
+        count += 1.0;
+    }
+    return count > 0.0 ? sum / (count * float(path_count)) : vec3(brightness);
+}
+
 void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
@@ -40,23 +58,30 @@ void main() {
     vec2 changed = vec2(0.0);
     if ((frame.filter_flags & FILTER_CHANGES) != 0u) changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
     past.frames *= vec2(1.0) - step(vec2(0.95), changed);
-    vec2 around_mean, around_second_moments;
-    brightness_around(ivec2(pixel), around_mean, around_second_moments);
     const vec2 past_mean = luminances(past.direct, past.indirect);
     vec2 limits = vec2(FILTER_MAX);
-    if (frame.settings.flt_firefly > 0.0) {
-        const vec2 by_past = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
+    if (frame.settings.flt_firefly > 0.0)
+        limits = past_mean + frame.settings.flt_firefly * sqrt(max(past.second_moments - past_mean * past_mean, vec2(0.0)));
+    // A pixel whose turn it was not to trace indirect light keeps what is known. While that is little, it asks those around.
+    const bool traced = has_indirect_turn(pixel, indirect_turn), asks = !traced && (past.frames.y < YOUNG || changed.y > 0.1);
+    const vec2 seen = vec2(1.0, traced || asks ? 1.0 : 0.0);
+    // Most pixels need not know how bright it is around.
+    vec2 around_mean = vec2(0.0), around_second_moments = vec2(0.0);
+    if (asks || any(lessThan(past.frames, vec2(YOUNG))) || any(greaterThan(luminances(direct, indirect), limits))) {
+        brightness_around(ivec2(pixel), around_mean, around_second_moments);
         const vec2 by_tiles =
             around_mean + frame.settings.flt_firefly * sqrt(max(around_second_moments - around_mean * around_mean, vec2(0.0)));
         // What was seen before says little about lamps that have just come.
-        limits = mix(min(limits, max(by_past, by_tiles)), limits, greaterThan(changed, vec2(0.1)));
+        limits = mix(min(max(limits, by_tiles), vec2(FILTER_MAX)), vec2(FILTER_MAX), greaterThan(changed, vec2(0.1)));
     }
+    if (asks) indirect = indirect_around(ivec2(pixel), hit, surface, around_mean.y);
     direct = dim(direct, limits.x);
     indirect = dim(indirect, limits.y);
 
     // Join both. Where lamps have changed, what is new counts the more.
-    const vec2 frames = min(past.frames + 1.0, vec2(float(frame.settings.flt_history)));
-    const vec2 part = clamp(max(1.0 / frames, 1.5 * changed), vec2(0.0), vec2(1.0));
+    const vec2 frames = min(past.frames + seen, vec2(float(frame.settings.flt_history)));
+    const vec2 share = clamp(max(1.0 / frames, 1.5 * changed), vec2(0.0), vec2(1.0)); // of one frame
+    const vec2 part = seen * share;
     FilterHistory joined;
     const vec3 mean_direct = mix(past.direct, direct, part.x), mean_indirect = mix(past.indirect, indirect, part.y);
     const vec2 bright = luminances(direct, indirect);
@@ -64,13 +89,13 @@ void main() {
     joined.direct = pack_color(mean_direct);
     joined.indirect = pack_color(mean_indirect);
     joined.second_moments = packHalf2x16(sqrt(second_moments));
-    joined.lengths = packHalf2x16(1.0 / part);
+    joined.lengths = packHalf2x16(1.0 / share);
     filter_history[this_half() + index] = joined;
 
     // How far the means may be off: from their own past, or, while that is short, from the tiles around.
     const bvec2 young = lessThan(frames, vec2(YOUNG));
     const vec2 mean = luminances(mean_direct, mean_indirect);
     const vec2 known = max(second_moments - mean * mean, vec2(0.0));
-    const vec2 variance = mix(known, max(known, around_second_moments), young) * part;
+    const vec2 variance = mix(known, max(known, around_second_moments), young) * share;
     filter_light[index] = pack_light(Light2(mean_direct, mean_indirect, sqrt(variance)));
 }

@@ -17,7 +17,7 @@ void main() {
     const bool has_past = (frame.filter_flags & FILTER_HISTORY) != 0u && frame.last_size == frame.size; // tiles lie where they lay
     const bool changes = (frame.filter_flags & FILTER_CHANGES) != 0u;
     FilterTile tile = FilterTile(vec4(0.0), vec2(0.0), vec2(0.0));
-    float count = 0.0;
+    vec2 count = vec2(0.0);
     for (int i = 0; i < FILTER_TILE * FILTER_TILE; ++i) {
         const ivec2 pixel = FILTER_TILE * place + ivec2(i % FILTER_TILE, i / FILTER_TILE);
         if (!inside_picture(pixel)) continue;
@@ -26,7 +26,7 @@ void main() {
             const vec2 bright = sample_brightness(index);
             tile.mean += bright;
             tile.second_moments += bright * bright;
-            count += 1.0;
+            count += vec2(1.0, has_indirect_turn(uvec2(pixel), indirect_turn) ? 1.0 : 0.0);
             if (changes)
                 tile.changed +=
                     vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)),
@@ -38,8 +38,8 @@ void main() {
         const vec2 bright = unpackHalf2x16(last.brightness);
         tile.changed += vec4(bright * vec2(light_change(last.direct_light), light_change(last.indirect_light)), bright);
     }
-    tile.mean /= max(count, 1.0);
-    tile.second_moments /= max(count, 1.0);
+    tile.mean /= max(count, vec2(1.0));
+    tile.second_moments /= max(count, vec2(1.0));
     const uint index = tile_index(place);
     const FilterTile before = filter_tiles[index];
     if (has_past && is_finite_nonnegative(vec3(before.mean, dot(before.second_moments, vec2(1.0))))) {

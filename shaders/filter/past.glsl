@@ -36,11 +36,14 @@ Then point_before(PrimaryHit hit, FilterSurface surface) {
                 vec3(dot(first, normal), step * vec2(dot(frame.last_camera_right, normal), dot(frame.last_camera_up, normal))));
 }
 
-bool shows_same(uint index, ivec2 pixel, Then then) {
+bool shows_plane(uint index, ivec2 pixel, Then then) {
     const float depth = filter_surfaces[index].depth;
     if (depth == 0.0 || filter_surfaces[index].id != then.id) return false;
-    if (alike(unpackSnorm4x8(filter_surfaces[index].facing), then.facing) < 0.2) return false;
     return abs(depth * dot(then.along, vec3(1.0, pixel)) - dot(then.offset, then.facing.xyz)) < then.tolerance;
+}
+
+bool shows_same(uint index, ivec2 pixel, Then then) {
+    return shows_plane(index, pixel, then) && alike(unpackSnorm4x8(filter_surfaces[index].facing), then.facing) >= 0.2;
 }
 
 void add_past(inout Past past, uint index, float weight) {
@@ -51,11 +54,11 @@ void add_past(inout Past past, uint index, float weight) {
     past.frames += weight * unpackHalf2x16(filter_history[index].lengths);
 }
 
-/// The means at a place `within` the four pixels from `first` on, which all show the surface, by the pixels around as well: a mean of four in every frame
-/// would blur shadows by more than a pixel. Catmull-Rom without its corners.
+/// Direct light at a place `within` the four pixels from `first` on, which all show the surface, by the pixels around as well: a mean of four in every
+/// frame would blur shadows by more than a pixel. Catmull-Rom without its corners. Indirect light has no such edges.
 void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
     const mat4x2 weights = catmull_rom(within);
-    vec3 direct = vec3(0.0), indirect = vec3(0.0);
+    vec3 direct = vec3(0.0);
     float sum = 0.0;
     for (int i = 0; i < 12; ++i) {
         // Four between the four, two on each side of them.
@@ -65,13 +68,11 @@ void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
         if (!inside_last(at)) continue;
         const float weight = weights[tap.x].x * weights[tap.y].y;
         const uint index = last_index(at);
-        if (abs(weight) < 1e-3 || i >= 4 && !shows_same(index, at, then)) continue;
+        if (abs(weight) < 1e-3 || i >= 4 && !shows_plane(index, at, then)) continue;
         direct += weight * unpack_color(filter_history[index].direct);
-        indirect += weight * unpack_color(filter_history[index].indirect);
         sum += weight;
     }
     past.direct = max(direct / sum, vec3(0.0));
-    past.indirect = max(indirect / sum, vec3(0.0));
 }
 
 /// How much of a surface a pixel covers, at a place `offset` from a camera, up to a factor.

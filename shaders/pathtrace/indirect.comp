@@ -56,7 +56,7 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
 void main() {
     uvec2 pixel;
     uint index;
-    if (!pixel_of_side_invocation(pixel, index)) return;
+    if (!pixel_of_indirect_invocation(pixel, index)) return;
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return;
     Random random = path_random(pixel, STREAM_INDIRECT);

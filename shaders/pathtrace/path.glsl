@@ -35,6 +35,15 @@ bool pixel_of_side_invocation(out uvec2 pixel, out uint index) {
     return inside;
 }
 
+/// Of those pixels of the side whose turn it is.
+bool pixel_of_indirect_invocation(out uvec2 pixel, out uint index) {
+    pixel = indirect_pixel(gl_GlobalInvocationID.xy, indirect_turn) + uvec2(first_column & ~7u, 0u);
+    index = pixel.y * frame.size.x + pixel.x;
+    const bool inside = inside_side(pixel);
+    if (inside) firewall_pixel = index;
+    return inside;
+}
+
 /// A sum past the firewall.
 vec3 radiance_sum(vec3 before, vec3 value) {
     const vec3 sum = before + finite_or_zero(value);

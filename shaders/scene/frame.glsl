@@ -7,6 +7,7 @@
 #include "shared/bindings.h"
 #include "shared/filter_types.h"
 #include "shared/frame_params.h"
+#include "shared/indirect_turn.h"
 #include "shared/scene_types.h"
 
 // Constants 0 and 1 belong to trace/trace.glsl.
@@ -39,6 +40,7 @@ layout(push_constant, scalar) uniform PushBlock {
     uint samples_lights;
     uint guided;
     uint filter_step;
+    uint indirect_turn;
 };
 
 /// A camera ray through a place of the picture, in pixels from its corner: 1 along `forward`. The axes are as in FrameParams.
@@ -48,11 +50,13 @@ vec3 ray_through(vec2 place, vec3 forward, vec3 right, vec3 up) {
 }
 vec3 camera_ray(vec2 place) { return ray_through(place, frame.camera_forward, frame.camera_right, frame.camera_up); }
 
+bool inside_side(uvec2 pixel) { return pixel.x >= first_column && pixel.x < end_column && pixel.y < frame.size.y; }
+
 /// The pixel of an invocation of a pass that is dispatched over a side's columns: from the work group of the first on. False
 /// where it is another side's, or none.
 bool pixel_of_side(out uvec2 pixel) {
     pixel = gl_GlobalInvocationID.xy + uvec2(first_column & ~7u, 0u);
-    return pixel.x >= first_column && pixel.x < end_column && pixel.y < frame.size.y;
+    return inside_side(pixel);
 }
 
 #endif

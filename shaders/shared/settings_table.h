@@ -89,7 +89,7 @@
         "Octree: Eight leaves with fewer samples together become one. The number is for 1920 x 1080.") \
     REAL(pt_oct_scale, Session, Reference, 1.0, 0.001, 1000.0, \
         "Octree: Factor on both thresholds. They also follow the number of pixels.") \
-    GPU_INTEGER(pt_vlc_bucket, Session, Reference, 32, 1, 64, \
+    GPU_INTEGER(pt_vlc_bucket, Archived, Reference, 32, 1, 64, \
         "vlc: Most lights weighted per hit. Caches with more lights have several buckets.") \
     GPU_REAL(pt_vlc_explore, Archived, Reference, 0.03, 0.0, 1.0, \
         "vlc: Share of light samples that look for lights outside the cache. 0: None do, and lights that no cache has are missing.") \
@@ -138,6 +138,8 @@
         "1: Lamps in view show their texture. 0: They show their mean radiance.") \
     GPU_CHOICE(pt_texture_filter, Session, Reference, "bilinear", "nearest|bilinear|full", \
         "How textures are magnified. full: bilinear, and never from a smaller mip level.") \
+    CHOICE(pt_indirect_rate, Archived, Picture, "full", "full|half", \
+        "Pixels that trace indirect light in a filtered frame. half: every second one, in turns. Raw frames trace all.") \
     INTEGER(flt_enable, Archived, Picture, 1, 0, 1, \
         "Denoiser. 1: Light is averaged over time and over neighbouring pixels, except while pt_accumulate is 1. 0: The picture stays as it is traced.") \
     GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \

@@ -8,7 +8,7 @@ namespace vigil {
 
 namespace {
 
-/// A variable by which the defaults differ from the paper, and the paper's value.
+/// A variable by which the defaults, or a preset, differ from the paper, and the paper's value.
 struct Departure {
     std::string_view variable;
     std::string_view paper;
@@ -26,6 +26,8 @@ constexpr Departure departures[] = {
     {"pt_cdq_margin", "0.1"},     // section 5.1
     {"pt_cdq_rays", "0"},         // section 5.1: the samples of a leaf in the frame before
     {"pt_cdq_migrations", "1"},   // section 5.1
+    {"pt_vlc_bucket", "32"},      // section 7; as the default
+    {"pt_indirect_rate", "full"}, // section 7: one path per pixel; as the default
 };
 
 /// `settings`, and the departures from the paper that they leave open: off, or at their defaults.
@@ -44,9 +46,14 @@ std::span<const Preset> presets() {
     static const std::vector<Preset> table = {
         make_preset("paper", "As in the paper: every departure from it is off.",
                     {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}}, true),
-        make_preset(
-            "fast", "Less time for a frame. It is noisy where only guided rays find the light.",
-            {{"pt_nee", "vlc"}, {"pt_guide", "brdf"}, {"pt_spp", "1"}, {"pt_light_points", "4"}}),
+        make_preset("fast",
+                    "Less time for a frame. It is noisy where only guided rays find the light.",
+                    {{"pt_nee", "vlc"},
+                     {"pt_guide", "brdf"},
+                     {"pt_spp", "1"},
+                     {"pt_light_points", "4"},
+                     {"pt_vlc_bucket", "16"},
+                     {"pt_indirect_rate", "half"}}),
         make_preset("balanced",
                     "The defaults. There is little noise anywhere, for one path a pixel.",
                     {{"pt_nee", "vlc"}, {"pt_guide", "cdq"}, {"pt_spp", "1"}}),

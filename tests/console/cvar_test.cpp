@@ -220,11 +220,17 @@ TEST(Cvar, QualitySurvivesQuitting) {
     const Case cases[] = {
         {{}, {}, "", "balanced"},
         {{{"pt_preset", "fast"}}, {}, "set pt_preset \"fast\"\n", "fast"},
-        {{{"pt_guide", "brdf"}, {"pt_light_points", "4"}}, {}, "set pt_preset \"fast\"\n", "fast"},
+        {{{"pt_guide", "brdf"},
+          {"pt_light_points", "4"},
+          {"pt_vlc_bucket", "16"},
+          {"pt_indirect_rate", "half"}},
+         {},
+         "set pt_preset \"fast\"\n",
+         "fast"},
         {{{"pt_preset", "fast"}, {"pt_spp", "2"}},
          {},
-         "set pt_guide \"brdf\"\nset pt_light_points \"4\"\nset pt_preset \"custom\"\n"
-         "set pt_spp \"2\"\n",
+         "set pt_guide \"brdf\"\nset pt_indirect_rate \"half\"\nset pt_light_points \"4\"\n"
+         "set pt_preset \"custom\"\nset pt_spp \"2\"\nset pt_vlc_bucket \"16\"\n",
          "custom"},
         {{{"pt_preset", "fast"}, {"pt_preset", "balanced"}}, {}, "", "balanced"},
         {{{"pt_preset", "paper"}, {"pt_env_nee", "1"}, {"pt_env_nee", "0"}},

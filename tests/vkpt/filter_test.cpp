@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iostream>
+#include <numeric>
 
 namespace vigil::test {
 namespace {
@@ -101,6 +102,56 @@ TEST_F(Filter, MakesACalmPictureOfTheSameLight) {
     EXPECT_NEAR(light, 1.0, 0.02);
 }
 
+/// Sums of light over a picture's pixels that reflect it, one for each seed.
+struct Sums {
+    std::vector<double> of;
+    double mean() const {
+        return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
+    }
+    /// Of the mean.
+    double variance() const {
+        double squares = 0.0;
+        for (const double sum : of)
+            squares += (sum - mean()) * (sum - mean());
+        const auto count = static_cast<double>(of.size());
+        return squares / (count * (count - 1.0));
+    }
+};
+
+TEST_F(Filter, HalfOfTheIndirectLightHasTheMeanOfAll) {
+    constexpr int frames = 64, seeds = 12;
+    set_size(48, 32);
+    load("rooms");
+    set("pt_nee", "sll");
+    const Pixels expected = converged(64);
+    set("pt_bounces", "0");
+    const double direct = light_of(converged(64), expected);
+    set("pt_bounces", "1");
+    set("flt_enable", "1");
+    set("flt_firefly", "0"); // which takes light away
+    set("flt_taa", "0");     // which leaves some frames out
+    set("flt_history", "1000");
+    const auto sums_at = [&](const char* rate) {
+        set("pt_indirect_rate", rate);
+        Sums sums;
+        for (int seed = 0; seed < seeds; ++seed) {
+            set("pt_seed", std::to_string(seed));
+            renderer().reset_guiding();
+            sums.of.push_back(light_of(next(frames - 1), expected));
+        }
+        return sums;
+    };
+    const Sums full = sums_at("full"), half = sums_at("half");
+    const double indirect = full.mean() - direct;
+    ASSERT_GT(indirect, 0.2 * direct) << "there is indirect light";
+    const double error = std::sqrt(full.variance() + half.variance());
+    const double difference = half.mean() - full.mean();
+    std::cout << fmt::format("half against all: {:+.2f}% +- {:.2f}% of the indirect light\n",
+                             100.0 * difference / indirect, 100.0 * error / indirect);
+    EXPECT_LT(error, 0.01 * indirect) << "4% too much or too little are seen";
+    EXPECT_LT(std::abs(difference), 3.5 * error);
+}
+
 TEST_F(Filter, FollowsACameraThatMoves) {
     load("rooms");
     set("flt_enable", "1");
@@ -163,6 +214,9 @@ TEST_F(Filter, ChangesNothingWhileItIsOff) {
     EXPECT_NE(picture("rooms", 2), before);
     set("flt_enable", "0");
     EXPECT_EQ(picture("rooms", 2), before);
+    // Nor does it choose pixels that trace indirect light.
+    set("pt_indirect_rate", "half");
+    EXPECT_EQ(picture("rooms", 2), before);
     // Neither does it where a reference is made.
     set("pt_accumulate", "1");
     const Pixels reference = picture("rooms", 2);
@@ -173,6 +227,7 @@ TEST_F(Filter, ChangesNothingWhileItIsOff) {
 TEST_F(Filter, LeavesTheRawSideOfAComparisonAlone) {
     const Pixels raw = picture("rooms", 2);
     set("flt_enable", "1");
+    set("pt_indirect_rate", "half");
     set("pt_compare", "raw");
     const Pixels compared = picture("rooms", 2);
     int left = 0, right = 0;
@@ -208,6 +263,10 @@ TEST_F(Filter, StaysFiniteWhateverComes) {
         is_fine("a size that changes");
     set("vid_fps_target", "0");
     is_fine("all pixels again");
+    set("pt_indirect_rate", "half");
+    is_fine("half of the indirect light");
+    shot_.view.angles.y -= 150.0f;
+    is_fine("a cut at half rate");
     set("flt_history", "1");
     is_fine("a history of one frame");
     set("flt_history", "1000");

@@ -216,7 +216,8 @@ std::vector<PictureSide> VkptRenderer::picture_sides() const {
                            side.guided(),
                            side.guiding().set(),
                            first,
-                           end};
+                           end,
+                           filtered ? filter_.indirect_turn() : shader::INDIRECT_ALL};
     };
     const uint32_t split = split_column();
     const uint32_t width = buffers_.size().x;

@@ -80,6 +80,7 @@ bool Filter::follow(const refresh::Settings& settings) {
     steps_ = settings.flt_atrous;
     taa_ = settings.flt_taa != 0;
     jitters_ = settings.pt_jitter != 0;
+    halves_indirect_ = settings.pt_indirect_rate == setting_choice("pt_indirect_rate", "half");
     if (!wanted || failed_size_ != buffers_.most_traced()) failed_size_.reset();
     const bool on = wanted && !failed_size_;
     if (on == on_ && (!on || size_ == buffers_.most_traced())) return false;
@@ -118,6 +119,8 @@ void Filter::prepare_pipelines() {
 }
 
 void Filter::describe(shader::FrameParams& params) {
+    indirect_turn_ = on_ && halves_indirect_ ? shader::indirect_turn_of_frame(frame_, pixel_points)
+                                             : shader::INDIRECT_ALL;
     if (!on_) {
         has_past_ = false;
         return;

@@ -34,6 +34,9 @@ public:
     void record(gpu::FrameCommands& commands, std::span<const PictureSide> sides, uint32_t paths);
 
     bool on() const { return on_; }
+    /// Which pixels of filtered sides trace indirect light in the frame that was described last
+    /// (shared/indirect_turn.h): all, unless pt_indirect_rate says half of them.
+    uint32_t indirect_turn() const { return indirect_turn_; }
     /// Bytes that it takes on the GPU.
     uint64_t bytes() const;
 
@@ -60,6 +63,8 @@ private:
     bool taa_ = false;
     bool jitters_ = false;                  // then, camera rays move within the pixel
     std::optional<glm::uvec2> failed_size_; // that memory did not suffice for
+    bool halves_indirect_ = false;
+    uint32_t indirect_turn_ = shader::INDIRECT_ALL;
     bool has_past_ = false;
     uint32_t frame_ = 0;         // counts filtered frames
     shader::FrameParams last_{}; // of the frame before

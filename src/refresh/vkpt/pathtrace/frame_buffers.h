@@ -6,6 +6,7 @@
 
 #include "refresh/vkpt/pathtrace/picture_side.h"
 #include "shared/frame_params.h"
+#include "shared/indirect_turn.h"
 
 #include <array>
 
@@ -45,6 +46,12 @@ public:
     gpu::WorkGroups groups() const { return {{tiles(), 1}}; }
     gpu::WorkGroups groups(const PictureSide& side) const {
         return {{(side.end_column + 7) / 8 - side.first_column / 8, tiles().y, 1}};
+    }
+    /// The same for the pixels of a side whose turn it is to trace indirect light.
+    gpu::WorkGroups indirect_groups(const PictureSide& side) const {
+        gpu::WorkGroups all = groups(side);
+        if (side.indirect_turn != shader::INDIRECT_ALL) all.count.y = (all.count.y + 1) / 2;
+        return all;
     }
 
     const gpu::PipelineLayout& layout() const { return layout_; }

@@ -26,7 +26,7 @@ void PathTracer::record(gpu::FrameCommands& commands, std::span<const PictureSid
             const FrameBuffers::SideInputs inputs = buffers_.side(sides, i, path, paths);
             if (side.samples_lights)
                 direct_.record(commands, inputs.inputs(), buffers_.groups(side));
-            indirect_.record(commands, inputs.inputs(), buffers_.groups(side));
+            indirect_.record(commands, inputs.inputs(), buffers_.indirect_groups(side));
         }
     }
 }

@@ -27,7 +27,8 @@ struct PictureSide {
     bool guided = false;               ///< set 2 is this frame's: views may look into it
     VkDescriptorSet guiding = nullptr; ///< set 2
     uint32_t first_column = 0;
-    uint32_t end_column = 0; ///< the one after its last; a side may have none
+    uint32_t end_column = 0;    ///< the one after its last; a side may have none
+    uint32_t indirect_turn = 0; ///< shared/indirect_turn.h
 };
 
 /// Sides of a picture, at most.
