@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the experiments measure when nothing else is said. Intervals need four views and six runs;
-// sizes and repeats are such that all experiments together take less than five hours on two cores
+// sizes and repeats are such that all experiments together take less than six hours on two cores
 // without a GPU, and each --quick one less than two minutes.
 #include "bench/plan.h"
 

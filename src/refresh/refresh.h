@@ -128,6 +128,8 @@ struct Particle {
     float size = 1.0f;     // from the middle to the corners, in map units
     glm::vec3 color{1.0f}; // linear, 0..1; there should be few different ones
     float alpha = 1.0f;    // as an Entity's
+
+    bool operator==(const Particle&) const = default;
 };
 
 /// Index of a registered picture.

@@ -68,7 +68,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
-    frame_unfinished_ = false; // everything is copied anew
+    if (std::exchange(frame_unfinished_, false)) draws_.forget_copies(); // all else is made anew
     shown_ = {};
     guiding_work_ = {};
     reset_guiding();
