@@ -139,7 +139,12 @@ class Economy(unittest.TestCase):
         text = self.conclusion(time=(1.1, 1.05, 1.2), compile_s=12.0, code=1500)
         for said in ("1 of 2 levels", "10.0% more time", "slower for certain in `cave`", "20.0% more time to compile", "50.0% more"):
             self.assertIn(said, text)
+        self.assertNotIn("All features together", text)
+        self.assertIn("All features together cost 20.0% more", self.conclusion(time=(1.5, 1.4, 1.6)))
         self.assertIn("no level here can tell", economy_page.conclusion(self.report()["parts"], "lights"))
+
+    def test_chance_is_asked_for_more_among_many_levels(self):
+        self.assertEqual([economy_page.least_slower(levels) for levels in (1, 2, 3, 14, 15)], [1, 1, 2, 2, 3])
 
     def test_means_are_over_all_levels(self):
         head, lines = economy_page.overview(self.report()["parts"])
