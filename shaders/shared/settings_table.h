@@ -170,7 +170,9 @@
     INTEGER(vk_validation, Start, Nothing, 0, 0, 3, \
         "Vulkan's validation layer. 0: off. 1: core. 2: core and synchronisation. 3: core and GPU-assisted.") \
     INTEGER(vk_debug_names, Start, Nothing, 0, 0, 1, \
-        "1: Graphics debuggers get names and labels, also without the validation layer.")
+        "1: Graphics debuggers get names and labels, also without the validation layer.") \
+    INTEGER(vk_cache, Start, Nothing, 1, 0, 1, \
+        "0: The driver compiles every shader anew. No compiled shader is taken from earlier starts or kept for later ones.")
 
 // What only those read who use it.
 #define VIGIL_PROGRAM_TABLE(STRING, INTEGER, REAL, CHOICE) \

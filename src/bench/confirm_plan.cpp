@@ -91,7 +91,7 @@ std::vector<Candidate> candidates_of(const ordered_json& report) {
 
 Plan confirm_plan(std::span<const std::string> arguments) {
     QualityOptions options;
-    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
+    options.levels = measured_level_names();
     options.rows = {technique_row("vlc")};
     options.seeds = 6;
     options.first_seed = 1001;

@@ -33,6 +33,8 @@ constexpr Bench benches[] = {
     {"adapt", "error frame by frame from empty caches (figure 9)", run_experiment<adapt_plan>},
     {"confirm", "values that trade takes for better than the default, with fresh seeds",
      run_experiment<confirm_plan>},
+    {"economy", "what shaders for features that a level lacks cost, and uploads and memory",
+     run_experiment<economy_plan>},
     {"hierarchy", "time to build the light hierarchy, by number of lights", run_hierarchy_bench},
     {"picture", "error, flicker, lag and detail of filtered pictures, and their cost",
      run_experiment<picture_plan>},

@@ -33,6 +33,9 @@ Measure measure_curve;
 /// What frames cost while the camera moves to the renderer's first place, pass by pass: the paper's
 /// figures 11 and 12.
 Measure measure_times;
+/// The same, and what shaders, memory and uploads cost by the features that shaders are compiled
+/// for. Rows are values of pt_features.
+Measure measure_economy;
 /// Errors frame by frame after the lamp has turned by the first of the turns: the paper's figure
 /// 10.
 Measure measure_turn;

@@ -35,7 +35,8 @@ enum class Measured {
     Route,  // of `picture`: errors and FLIP of frames while the camera moves, and times
     Still,  // flicker and detail of a view that stands still, flicker of one that moves
     Change, // how fast light that comes or goes is shown
-    Cut     // errors after the camera was elsewhere
+    Cut,    // errors after the camera was elsewhere
+    Economy // Times, and memory, uploads and shaders by what these are compiled for
 };
 
 /// What changes in a scene, of Measured::Change.

@@ -50,7 +50,7 @@ bool has_door(std::span<const std::filesystem::path> basedirs, const std::string
 Plan picture_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Route;
-    options.levels = {"warehouse", "gallery", "mine", "yard"};
+    options.levels = measured_level_names();
     for (const char* level : {"e1m1", "e3m6"}) // where they are
         options.levels.emplace_back(level);
     options.rows = picture_rows("vlc+cdq");

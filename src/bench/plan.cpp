@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the experiments measure when nothing else is said. Intervals need four views and six runs;
-// sizes and repeats are such that all experiments together take less than five hours on two cores
+// sizes and repeats are such that all experiments together take less than six hours on two cores
 // without a GPU, and each --quick one less than two minutes.
 #include "bench/plan.h"
 
@@ -17,18 +17,6 @@
 namespace vigil::bench {
 
 namespace {
-
-/// Levels in which quadtrees need more frames than the light cache.
-struct LevelWarmup {
-    std::string_view level;
-    int frames;
-};
-constexpr LevelWarmup level_warmups[] = {
-    // Few rays meet their sun, where they have to (pt_env_nee 0).
-    {"mine", 64},
-    {"yard", 64},
-    {"room", 64},
-};
 
 /// Small pictures of one level.
 QualityOptions quick(QualityOptions options) {
@@ -51,6 +39,13 @@ std::vector<Part> level_parts(const QualityOptions& options) {
 
 } // namespace
 
+std::vector<std::string> measured_level_names() {
+    std::vector<std::string> names;
+    for (const MeasuredLevel& level : measured_levels)
+        names.emplace_back(level.name);
+    return names;
+}
+
 bool is_named(std::span<const std::string> arguments, std::string_view option) {
     return std::ranges::find(arguments, option) != arguments.end();
 }
@@ -67,9 +62,9 @@ QualityOptions least(QualityOptions options) {
 void warm_up_quadtrees(Plan& plan, std::span<const std::string> arguments) {
     if (is_named(arguments, "--warmup") || is_named(arguments, "--quick")) return;
     for (Part& part : plan.parts)
-        for (const LevelWarmup& warmup : level_warmups)
-            if (part.level == warmup.level && std::ranges::any_of(part.options.rows, is_guided))
-                part.options.warmup = std::max(part.options.warmup, warmup.frames);
+        for (const MeasuredLevel& level : measured_levels)
+            if (part.level == level.name && std::ranges::any_of(part.options.rows, is_guided))
+                part.options.warmup = std::max(part.options.warmup, level.quadtree_frames);
 }
 
 void select_parts(Plan& plan) {
@@ -87,7 +82,7 @@ void select_parts(Plan& plan) {
 
 Plan quality_plan(std::span<const std::string> arguments) {
     QualityOptions options;
-    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
+    options.levels = measured_level_names();
     options.seeds = 4;
     options.rows = technique_rows();
     // The paper's figure 8 has these with both kinds of rays.
@@ -103,7 +98,7 @@ Plan quality_plan(std::span<const std::string> arguments) {
 Plan adapt_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Curve;
-    options.levels = {"warehouse", "gallery", "yard", "room"};
+    options.levels = measured_level_names();
     options.rows = technique_rows({"sll", "vlc", "vlc+cdq"});
     options.seeds = 4;
     options.frames = 24;
@@ -155,7 +150,7 @@ Plan ring_plan(std::span<const std::string> arguments) {
 Plan timing_plan(std::span<const std::string> arguments) {
     QualityOptions options;
     options.measured = Measured::Times;
-    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
+    options.levels = measured_level_names();
     options.rows = technique_rows({"lh", "sll", "vlc", "vlc+cdq"});
     options.views = 1;
     options.seeds = 6; // flights: as few as have an interval

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // An experiment as a list of parts, each a level and how it is measured: what `quality`, `adapt`,
-// `ring`, `timing`, `scale`, `trade`, `confirm` and `picture` are. All share options, progress,
-// references, and the report that is continued after an interruption.
+// `ring`, `timing`, `scale`, `trade`, `confirm`, `picture` and `economy` are. All share options,
+// progress, references, and the report that is continued after an interruption.
 #pragma once
 
 #include "bench/options.h"
@@ -13,6 +13,24 @@
 #include <vector>
 
 namespace vigil::bench {
+
+/// A shipped level that experiments measure.
+struct MeasuredLevel {
+    std::string_view name;
+    /// Frames that quadtrees need there, where that is more than the light cache does; else 0.
+    int quadtree_frames = 0;
+};
+inline constexpr MeasuredLevel measured_levels[] = {
+    {"warehouse"},
+    // Few rays meet their sun, where they have to (pt_env_nee 0).
+    {"mine", 64},
+    {"gallery"},
+    {"yard", 64},
+    {"room", 64},
+    {"quay"},
+};
+/// Their names.
+std::vector<std::string> measured_level_names();
 
 struct Part {
     std::string name; // unique in its plan
@@ -46,6 +64,11 @@ Plan trade_plan(std::span<const std::string> arguments);
 /// How calm pictures are, and what that costs: parts are levels and situations (a moving camera, a
 /// still one, changes of light, cuts), rows are filters.
 Plan picture_plan(std::span<const std::string> arguments);
+
+/// What each feature that a level lacks costs where shaders are compiled for it all the same
+/// (pt_features): time, memory, uploads, and the shaders themselves. Parts are levels, rows
+/// features.
+Plan economy_plan(std::span<const std::string> arguments);
 
 /// The values that the report of `trade` (--trade FILE) takes for better than the default, once
 /// more: with fresh seeds, against the default alone. No parts where there is no such value. Throws

@@ -68,7 +68,8 @@ std::string device_description() {
 
 /// Runs of rows, which is what progress counts.
 int step_count(const QualityOptions& options) {
-    const int views = options.measured == Measured::Times ? 1 : options.views;
+    const bool flies = options.measured == Measured::Times || options.measured == Measured::Economy;
+    const int views = flies ? 1 : options.views;
     return views * options.seeds * static_cast<int>(options.rows.size());
 }
 
@@ -130,8 +131,9 @@ ordered_json measure_part(const Part& part, Progress& progress) {
     json.erase("rows");
     progress.note("preparing");
     renderer.prepare(part.options.rows);
-    Measure* const measures[] = {measure_errors, measure_curve, measure_times,  measure_turn,
-                                 measure_route,  measure_still, measure_change, measure_cut};
+    Measure* const measures[] = {measure_errors, measure_curve, measure_times,
+                                 measure_turn,   measure_route, measure_still,
+                                 measure_change, measure_cut,   measure_economy};
     const PartReport report = measures[static_cast<std::size_t>(part.options.measured)](
         part.options, renderer, part.level, progress);
     json.update(report.json);

@@ -36,6 +36,12 @@ std::size_t pass_index(std::string_view name) {
     return static_cast<std::size_t>(found - std::begin(vkpt::pass_names));
 }
 
+/// So that every shader is compiled by itself before its frame, and its time is known.
+class SilentWatcher : public refresh::CompilationWatcher {
+public:
+    ImDrawData* compiling(const refresh::Compilation&) override { return nullptr; }
+};
+
 std::uint64_t shader_hash(const std::string& technique, const std::string& guider) {
     std::uint64_t hash = hash_bytes({});
     for (const std::string& name :
@@ -85,6 +91,10 @@ QualityRenderer::QualityRenderer(const QualityOptions& options, const std::strin
 
     files_.mount_game(basedir, "baseq2");
     renderer_ = std::make_unique<vkpt::VkptRenderer>(files_, nullptr, cvars().values());
+    if (options.measured == Measured::Economy) {
+        watcher_ = std::make_unique<SilentWatcher>();
+        renderer_->watch_compilation(watcher_.get());
+    }
     session_ = std::make_unique<client::Session>(files_, *renderer_, cvars());
     session_->load_map(level);
 
@@ -122,6 +132,7 @@ void QualityRenderer::prepare(const std::vector<QualityRow>& rows) {
     for (const QualityRow& row : rows) {
         begin_run(row, 0);
         stand_still(places_.front().measured(), frames);
+        preparations_.push_back({renderer_->compiled_features(), renderer_->take_compiled()});
     }
 }
 
@@ -196,12 +207,27 @@ std::vector<FrameCost> QualityRenderer::fly(const Place& place, const QualityRow
         render(pose);
         FrameCost& cost = costs.emplace_back();
         cost.pass_ms.resize(std::size(vkpt::pass_names));
-        for (const refresh::FrameTimes& frame : renderer_->take_frame_times(true))
+        for (const refresh::FrameTimes& frame : renderer_->take_frame_times(true)) {
             for (const refresh::PassTime& pass : frame.passes)
                 cost.pass_ms[pass_index(pass.name)] = pass.milliseconds;
+            for (const refresh::Upload& upload : frame.uploads)
+                cost.upload_bytes += upload.bytes;
+        }
         cost.frame_ms = 1e3 * watch.seconds();
     }
     return costs;
+}
+
+StillCost QualityRenderer::stand(const Place& place, const QualityRow& row, int seed, int frames) {
+    begin_run(row, seed);
+    for (int frame = 0; frame < frames; ++frame)
+        render(place.measured());
+    StillCost cost;
+    const std::vector<refresh::FrameTimes> times = renderer_->take_frame_times(true);
+    for (const refresh::Upload& upload : times.back().uploads)
+        cost.uploads[upload.name] += upload.bytes;
+    cost.memory = renderer_->device().usage().memory();
+    return cost;
 }
 
 LightFloor QualityRenderer::floor(const Place& place) {

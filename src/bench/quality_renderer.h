@@ -44,7 +44,20 @@ struct Measurement {
 struct FrameCost {
     std::vector<double>
         pass_ms; // in the order of refresh/vkpt/gpu/passes.h; 0 for those that did not run
-    double frame_ms = 0.0; // by the clock of the host
+    double frame_ms = 0.0;          // by the clock of the host
+    std::uint64_t upload_bytes = 0; // copied by the host for it
+};
+
+/// What the first frames of a row have made.
+struct Preparation {
+    vkpt::SceneFeatures features;                 // that its shaders are compiled for
+    std::vector<gpu::CompiledPipeline> pipelines; // that no row before it has
+};
+
+/// What stands still costs.
+struct StillCost {
+    gpu::ByteCounts uploads; // of the last frame, by buffer
+    gpu::ByteCounts memory;  // of the device, by buffer
 };
 
 /// How a scene differs from the level at rest.
@@ -80,11 +93,15 @@ public:
     /// Renders a few frames with every row, so that what is made at first use (pipelines, tables)
     /// is there before anything is measured.
     void prepare(const std::vector<QualityRow>& rows);
+    /// What that did, by row.
+    const std::vector<Preparation>& preparations() const { return preparations_; }
     /// Renders the warm-up and the measured frames from empty caches; frames after the first stand
     /// still.
     Measurement measure(const Place& place, const QualityRow& row, int seed, int frames);
     /// Renders all frames of the place from empty caches and waits for each.
     std::vector<FrameCost> fly(const Place& place, const QualityRow& row, int seed);
+    /// Stands still at the end of the place for `frames` frames, with the caches as they are.
+    StillCost stand(const Place& place, const QualityRow& row, int seed, int frames);
     /// The least error that any choice of lights can have at the place; changes pt_nee.
     LightFloor floor(const Place& place);
     /// Sets a row's variables and empties all caches, for stand_still().
@@ -133,13 +150,15 @@ private:
     std::string level_name_;
     std::vector<Setting> base_; // values of the variables that rows change
     FileSystem files_;
+    std::unique_ptr<refresh::CompilationWatcher> watcher_; // so that every first dispatch is timed
     std::unique_ptr<vkpt::VkptRenderer> renderer_;
     std::unique_ptr<client::Session> session_;
     std::vector<Place> places_;
     std::string turned_; // what turn() did, as text
     SceneChange change_;
     std::vector<refresh::Entity> entities_; // of the frame, where some are hidden
-    std::uint64_t content_hash_ = 0;        // of the level's file and its materials
+    std::vector<Preparation> preparations_;
+    std::uint64_t content_hash_ = 0; // of the level's file and its materials
 };
 
 /// Sum over the passes of a group; `pass_ms` in the order of refresh/vkpt/gpu/passes.h.

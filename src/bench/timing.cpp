@@ -45,15 +45,27 @@ struct TimingRow {
               flights, [](const auto& c) { return group_ms(c.pass_ms, PassGroup::Preparation); })),
           path_ms(by_frame(
               flights, [](const auto& c) { return group_ms(c.pass_ms, PassGroup::PathTracing); })),
-          frame_ms(by_frame(flights, [](const auto& c) { return c.frame_ms; })) {
-        for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass)
-            pass_ms.push_back(
-                medians(by_frame(flights, [pass](const auto& c) { return c.pass_ms[pass]; })));
+          frame_ms(by_frame(flights, [](const auto& c) { return c.frame_ms; })),
+          upload_bytes(by_frame(
+              flights, [](const auto& c) { return static_cast<double>(c.upload_bytes); })) {
+        for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass) {
+            pass_runs.push_back(
+                by_frame(flights, [pass](const auto& c) { return c.pass_ms[pass]; }));
+            pass_ms.push_back(medians(pass_runs.back()));
+        }
     }
 
+    std::vector<Strata> pass_runs;            // [pass][frame][flight]
     std::vector<std::vector<double>> pass_ms; // [pass][frame], medians
-    Strata prepare_ms, path_ms, frame_ms;
+    Strata prepare_ms, path_ms, frame_ms, upload_bytes;
 };
+
+/// A pass's times over the baseline's; NaN where one of them does not have it in all frames.
+Interval pass_ratio(const TimingRow& row, const TimingRow& baseline, std::string_view name) {
+    const auto pass = static_cast<std::size_t>(std::ranges::find(vkpt::pass_names, name) -
+                                               std::begin(vkpt::pass_names));
+    return ratio_over_flights(row.pass_runs[pass], baseline.pass_runs[pass]);
+}
 
 /// The row's medians as the client's tables take them.
 client::PassStatistics statistics_of(const TimingRow& row) {
@@ -103,7 +115,8 @@ PartReport measure_times(const QualityOptions& options, QualityRenderer& rendere
                                       {"median_ms", pass.median},
                                       {"mean_ms", pass.mean},
                                       {"p99_ms", pass.p99},
-                                      {"share", pass.share}});
+                                      {"share", pass.share},
+                                      {"ratio", to_json(pass_ratio(row, baseline, pass.name))}});
         const Interval path = ratio_over_flights(row.path_ms, baseline.path_ms);
         const Interval prepare = ratio_over_flights(row.prepare_ms, row.path_ms);
         ratios += fmt::format("  {:<12}{:>14}  {:<22}{:>16}  {:<22}\n", options.rows[i].label,
@@ -114,6 +127,7 @@ PartReport measure_times(const QualityOptions& options, QualityRenderer& rendere
                               {"frames", medians(row.prepare_ms)}};
         json["frame_ms"] = {{"ratio", to_json(ratio_over_flights(row.frame_ms, baseline.frame_ms))},
                             {"frames", medians(row.frame_ms)}};
+        json["upload_bytes"] = {{"value", median_of(row.upload_bytes)}};
         ordered_json& frames = json["pass_frames_ms"] = ordered_json::object();
         for (std::size_t pass = 0; pass < row.pass_ms.size(); ++pass)
             if (vkpt::pass_groups[pass] == PassGroup::Preparation &&

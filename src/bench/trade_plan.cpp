@@ -84,7 +84,7 @@ std::vector<QualityRow> preset_rows() {
 
 Plan trade_plan(std::span<const std::string> arguments) {
     QualityOptions options;
-    options.levels = {"warehouse", "mine", "gallery", "yard", "room"};
+    options.levels = measured_level_names();
     options.rows = {technique_row("vlc")}; // what techniques and presets are compared with
     options.seeds = 2;
     options.reference_paths = 512;

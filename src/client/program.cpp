@@ -163,7 +163,7 @@ public:
 private:
     /// By window and renderer, when they are made.
     static constexpr std::string_view read_once[] = {"vid_driver", "vk_device", "vk_validation",
-                                                     "vk_debug_names"};
+                                                     "vk_debug_names", "vk_cache"};
 
     void close() {
         renderer_.reset();

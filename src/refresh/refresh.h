@@ -131,6 +131,8 @@ struct Particle {
     float size = 1.0f;     // from the middle to the corners, in map units
     glm::vec3 color{1.0f}; // linear, 0..1; there should be few different ones
     float alpha = 1.0f;    // as an Entity's
+
+    bool operator==(const Particle&) const = default;
 };
 
 /// Index of a registered picture.
@@ -224,12 +226,20 @@ struct FrameCount {
     double value = 0.0;
 };
 
+/// Bytes that the host copied into a buffer of this name.
+struct Upload {
+    std::string name;
+    uint64_t bytes = 0;
+};
+
 /// What was measured in one frame: GPU times in the order of its passes (empty on devices without
-/// timestamps), and what guiding counted (empty while it is off).
+/// timestamps), what guiding counted (empty while it is off), and what was copied for it since the
+/// frame before, by name (its overlay aside).
 struct FrameTimes {
     uint64_t frame = 0; // as Renderer::render returned it
     std::vector<PassTime> passes;
     std::vector<FrameCount> counts;
+    std::vector<Upload> uploads;
 };
 
 /// What should never happen, counted since the renderer was made.

@@ -117,6 +117,33 @@ TEST_F(Experiments, RingTurnsTheLamp) {
     EXPECT_EQ(report["parts"][0]["degrees"], 36);
 }
 
+TEST_F(Experiments, EconomyAddsFeatures) {
+    const json report = measure("economy", {"--technique", "uniform", "--set", "vk_cache", "1"});
+    const json& part = report["parts"][0];
+    // A row for each feature that the level lacks, and none for those that it has.
+    EXPECT_EQ(part["rows"].size() + part["same_as_auto"].size(), 12u);
+    EXPECT_EQ(part["features"].size(), part["same_as_auto"].size());
+    ASSERT_GE(part["rows"].size(), 3u);
+    const json& own = part["rows"][0];
+    EXPECT_EQ(own["features"], part["features"]);
+    for (const json& row : part["rows"]) {
+        EXPECT_EQ(row["variables"]["pt_features"].get<std::string>() + " uniform", row["label"]);
+        EXPECT_GT(row["path_ms"]["ratio"]["value"], 0.0) << row["label"];
+        EXPECT_GT(row["compile_s"]["value"], 0.0) << row["label"];
+        EXPECT_GT(row["memory_bytes"]["by"]["triangles"], 0.0) << row["label"];
+        // The camera moves: its parameters are copied, if nothing else.
+        EXPECT_GT(row["upload_bytes"]["value"], 0.0) << row["label"];
+        // All have the same passes. Shaders have the same source, and more is left of it.
+        ASSERT_EQ(row["shaders"].size(), own["shaders"].size()) << row["label"];
+        EXPECT_EQ(row["spirv_bytes"], own["spirv_bytes"]) << row["label"];
+        if (!row["code_bytes"]["value"].is_number()) continue; // without SPIRV-Tools
+        EXPECT_LT(row["code_bytes"]["value"], row["spirv_bytes"]["value"]) << row["label"];
+        if (row["label"] != own["label"]) {
+            EXPECT_GT(row["code_bytes"]["value"], own["code_bytes"]["value"]) << row["label"];
+        }
+    }
+}
+
 TEST_F(Experiments, PictureComparesFiltersInEverySituation) {
     const json report = measure(
         "picture", {"--size", "48x27", "--warmup", "4", "--pictures", file("pictures").string()});

@@ -8,6 +8,7 @@
 #include "common/scratch_folder.h"
 #include "console/cvar.h"
 #include "console/preset.h"
+#include "shared/features.h"
 
 #include <gtest/gtest.h>
 
@@ -25,8 +26,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-const auto plans = {&quality_plan, &adapt_plan, &ring_plan,   &timing_plan,
-                    &scale_plan,   &trade_plan, &picture_plan};
+const auto plans = {&quality_plan, &adapt_plan, &ring_plan,    &timing_plan,
+                    &scale_plan,   &trade_plan, &picture_plan, &economy_plan};
 
 /// Sets and reads back: a name that exists, a value in its range.
 void expect_value(const Setting& setting) {
@@ -87,6 +88,47 @@ TEST(Plan, QuadtreesGetTheFramesTheyNeedWhereTheyLearnLate) {
     EXPECT_LT(usual["warehouse pt_cdq_bits"], 64);
     EXPECT_EQ(warmups({"--warmup", "3"})["mine pt_cdq_bits"], 3);
     EXPECT_LT(warmups({"--quick", "--level", "mine"})["mine pt_cdq_bits"], 64);
+}
+
+TEST(Plan, EveryShippedLevelIsMeasured) {
+    for (const auto& make :
+         {&quality_plan, &adapt_plan, &timing_plan, &trade_plan, &picture_plan, &economy_plan}) {
+        const Plan plan = make({});
+        std::set<std::string> levels;
+        for (const Part& part : plan.parts)
+            levels.insert(part.level);
+        for (const MeasuredLevel& level : measured_levels)
+            EXPECT_TRUE(levels.contains(std::string(level.name))) << plan.name << ' ' << level.name;
+    }
+    // Those that are compared in no table are in this one.
+    std::set<std::string> levels;
+    for (const Part& part : economy_plan({}).parts)
+        levels.insert(part.level);
+    const std::filesystem::path maps = std::filesystem::path(VIGIL_SOURCE_DIR) / "baseq2/maps";
+    for (const auto& file : std::filesystem::directory_iterator(maps)) {
+        if (file.path().extension() == ".bsp") {
+            EXPECT_TRUE(levels.contains(file.path().stem().string())) << file.path();
+        }
+    }
+}
+
+TEST(Plan, EveryFeatureIsAddedAlone) {
+    for (const Part& part : economy_plan(Words{"--level", "room"}).parts) {
+        EXPECT_EQ(part.options.baseline, "auto");
+        ASSERT_EQ(part.options.rows.size(), 2 + vkpt::scene_feature_rows.size());
+        EXPECT_EQ(part.options.rows[1].label, "all");
+        for (std::size_t i = 0; i < vkpt::scene_feature_rows.size(); ++i) {
+            const QualityRow& row = part.options.rows[2 + i];
+            EXPECT_EQ(row.label, vkpt::scene_feature_rows[i].name);
+            EXPECT_EQ(row.settings.back().name, "pt_features");
+            EXPECT_EQ(row.settings.back().value, row.label);
+            EXPECT_TRUE(is_guided(row));
+        }
+    }
+    for (const QualityRow& row : economy_plan(Words{"--technique", "sll"}).options.rows) {
+        EXPECT_TRUE(row.label.ends_with(" sll")) << row.label;
+        EXPECT_FALSE(is_guided(row)) << row.label;
+    }
 }
 
 TEST(Plan, PicturesAreMeasuredInEverySituation) {
@@ -160,7 +202,8 @@ TEST(Plan, ViewsAreEnoughForIntervals) {
         const Plan plan = make({});
         for (const Part& part : plan.parts) {
             const QualityOptions& options = part.options;
-            if (options.measured == Measured::Times || options.measured == Measured::Turn) {
+            if (options.measured == Measured::Times || options.measured == Measured::Turn ||
+                options.measured == Measured::Economy) {
                 EXPECT_GE(options.seeds, 6) << part.name; // flights, or runs at one place
                 continue;
             }

@@ -50,7 +50,7 @@ TEST(QualityOptions, EveryTechniqueButBruteIsARow) {
     EXPECT_EQ(options.reference.label, "vlc+cdq");
     EXPECT_EQ(options.baseline, "sll");
     EXPECT_EQ(options.levels,
-              (std::vector<std::string>{"warehouse", "mine", "gallery", "yard", "room"}));
+              (std::vector<std::string>{"warehouse", "mine", "gallery", "yard", "room", "quay"}));
 }
 
 TEST(QualityOptions, VariantsAreRowsWithOtherVariables) {

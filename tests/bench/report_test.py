@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "report")
 import agreement
 import colors
 import defaults
+import economy_page
 import summary
 import tables
 
@@ -103,6 +104,78 @@ class Tables(unittest.TestCase):
             _, lines = tables.by_technique("", shown["parts"], tables.MEASURES[2][1])
             self.assertIn(text, lines[0][2])
         self.assertNotIn("**", lines[0][2])
+
+
+class Economy(unittest.TestCase):
+    """Two levels, of which one has a sky."""
+
+    def row(self, label, time=(1.0, 1.0, 1.0), compile_s=10.0, code=1000):
+        interval = dict(zip(("value", "low", "high"), time))
+        return {"label": label, "variables": {"pt_nee": "vlc", "pt_guide": "cdq", "pt_features": label},
+                "path_ms": {"ratio": interval, "frames": [2.0, 4.0]}, "frame_ms": {"ratio": interval, "frames": [3.0]},
+                "prepare_ms": {"share_of_path": interval, "frames": [1.0]}, "pass_frames_ms": {"octree_mark": [1.0]},
+                "passes": [{"name": "primary", "median_ms": 2.0, "mean_ms": 2.0, "share": 0.5, "ratio": interval}],
+                "shaders": [{"name": "primary"}], "compile_s": {"value": compile_s}, "code_bytes": {"value": code},
+                "memory_bytes": {"value": 3 * 2**20, "by": {"octree nodes": 2**20, "bottom-level nodes": 2**21}},
+                "upload_bytes": {"value": 800.0}, "still_upload_bytes": {"value": 400.0, "by": {"frame parameters": 376, "lights": 24}}}
+
+    def part(self, level, features, rows, same):
+        return {"part": level, "level": level, "baseline": "auto", "features": features, "same_as_auto": same, "rows": rows}
+
+    def report(self, **sky):
+        without = self.part("cave", ["lights"], [self.row("auto"), self.row("all", (1.2, 1.1, 1.3), 20.0, 2000), self.row("sky", **sky)], ["lights"])
+        having = self.part("hill", ["lights", "sky"], [self.row("auto"), self.row("all", (1.3, 1.2, 1.4), 20.0, 2000)], ["lights", "sky"])
+        return {"measured": "economy", "finished": True, "intervals": "typical runs", "device": "none", "commit": "abc", "width": 1, "height": 1,
+                "seeds": 6, "warmup": 12, "key": "k", "planned": {}, "parts": [without, having]}
+
+    def conclusion(self, **sky):
+        return economy_page.conclusion(self.report(**sky)["parts"], "sky")
+
+    def test_a_conclusion_says_what_a_constant_saves(self):
+        self.assertIn("saves time of frames", self.conclusion(time=(1.1, 1.05, 1.2)))
+        self.assertIn("saves time to compile, and none", self.conclusion(time=(1.1, 0.95, 1.2), compile_s=12.0))
+        self.assertIn("saves code alone", self.conclusion(time=(0.9, 0.8, 0.95), code=1010))
+        self.assertIn("saves nothing", self.conclusion(time=(0.99, 0.9, 1.1)))
+        text = self.conclusion(time=(1.1, 1.05, 1.2), compile_s=12.0, code=1500)
+        for said in ("1 of 2 levels", "10.0% more time", "slower for certain in `cave`", "20.0% more time to compile", "50.0% more"):
+            self.assertIn(said, text)
+        self.assertNotIn("All features together", text)
+        self.assertIn("All features together cost 20.0% more", self.conclusion(time=(1.5, 1.4, 1.6)))
+        self.assertIn("no level here can tell", economy_page.conclusion(self.report()["parts"], "lights"))
+
+    def test_chance_is_asked_for_more_among_many_levels(self):
+        self.assertEqual([economy_page.least_slower(levels) for levels in (1, 2, 3, 14, 15)], [1, 1, 2, 2, 3])
+
+    def test_means_are_over_all_levels(self):
+        head, lines = economy_page.overview(self.report()["parts"])
+        self.assertEqual(lines[-1][0], "geometric mean")
+        self.assertEqual(lines[-1][head.index("frame, all over auto")], "1.25")
+        self.assertEqual(lines[-1][head.index("compile, all over auto")], "2")
+
+    def test_memory_is_summed_by_kind(self):
+        head, lines = economy_page.memory(self.report()["parts"])
+        cells = dict(zip(head, lines[0]))
+        self.assertEqual((cells["guiding"], cells["geometry"], cells["all"]), ("1.0", "2.0", "3.0"))
+        self.assertEqual([economy_page.kind_of(name) for name in ("light caches", "light samples", "lights", "filter light", "unused", "top-level instances")],
+                         ["guiding", "guiding", "lights", "pictures", "other", "geometry"])
+
+    def test_what_is_kept_makes_the_same_page(self):
+        whole = self.report()
+        kept = economy_page.slim(whole)
+        self.assertEqual(list(economy_page.page(kept)), list(economy_page.page(whole)))
+        self.assertNotIn("pass_frames_ms", json.dumps(kept))
+
+    def test_pieces_of_one_measurement_are_one_report(self):
+        whole = self.report()
+        pieces = [dict(whole, parts=[part]) for part in whole["parts"]]
+        self.assertEqual(economy_page.merged(pieces)["parts"], whole["parts"])
+        with self.assertRaises(ValueError):
+            economy_page.merged([whole, dict(whole, commit="def")])
+
+    def test_tables_have_a_column_for_each_feature(self):
+        head, lines = next(tables.economy(self.report()))
+        self.assertEqual(head, ["Time of path tracing", "auto", "all", "sky"])
+        self.assertEqual(lines[1][3], "")
 
 
 class Summary(unittest.TestCase):

@@ -74,6 +74,28 @@ TEST_F(PipelineCompilerTest, MakesWhatWorksAndTellsHowFarItIs) {
     EXPECT_EQ(compiler.state().total, 1);
 }
 
+TEST_F(PipelineCompilerTest, TellsWhatItMadeAndHowLongThatTook) {
+    PipelineCompiler compiler(device_, "");
+    const ComputePipeline pipeline(compiler, layout_, source(3));
+    ASSERT_TRUE(compiler.wait_for(100s));
+    double least = 0.0;
+    if (const auto job = compiler.begin_first_dispatch()) {
+        EXPECT_TRUE(compiler.take_compiled().empty()) << "its first dispatch compiles";
+        FrameCommands commands(device_);
+        const Stopwatch watch;
+        FirstDispatch dispatch(device_, commands, *job);
+        EXPECT_TRUE(dispatch.wait_for(100s));
+        least = watch.seconds();
+        compiler.finish_first_dispatch(job);
+    }
+    const std::vector<CompiledPipeline> made = compiler.take_compiled();
+    ASSERT_EQ(made.size(), 1u);
+    EXPECT_EQ(made[0].source.name, "counted.3");
+    EXPECT_EQ(made[0].source.constants, source(3).constants);
+    EXPECT_GT(made[0].seconds, least);
+    EXPECT_TRUE(compiler.take_compiled().empty());
+}
+
 TEST_F(PipelineCompilerTest, WhatNobodyWantsIsDropped) {
     PipelineCompiler compiler(device_, folder_.path() / "pipelines.bin");
     for (int i = 0; i < 20; ++i) {

@@ -78,6 +78,7 @@ EXTREMES = whole("vkpt", "vkpt_extremes_test", VIGIL_VALIDATION="0")
 CONVERGENCE = whole("vkpt", "vkpt_convergence_test", VIGIL_VALIDATION="0")
 VIEWS = whole("vkpt", "vkpt_view_test", VIGIL_VALIDATION="0")
 MOVING_LIGHTS = whole("vkpt", "vkpt_moving_lights_test", VIGIL_VALIDATION="0")
+ENTITIES = whole("vkpt", "vkpt_entity_test", VIGIL_VALIDATION="0")
 # As in ./run test long.
 ASSISTED_FRAMES = whole("vkpt", "vkpt_frames_test", VIGIL_VALIDATION="3", GALLIVM_PERF="nopt")
 
@@ -302,6 +303,12 @@ FAULTS = [
     Fault("a torch is 4% too bright", "src/refresh/vkpt/scene/scene.cpp",
           "add_model(*spot_model_, transform, spot.radiance,", "add_model(*spot_model_, transform, 1.04f * spot.radiance,",
           MOVING_LIGHTS, "MovingLights.SpotsShineWithinTheirCone"),
+    Fault("what moves is not copied to the device", "src/refresh/vkpt/scene/scene.cpp",
+          "    instances_changed_ |= moved;", "    instances_changed_ |= false;",
+          ENTITIES, "*StillTest.WhatChangesIsCopiedInItsFrame/bvh"),
+    Fault("the top level stays where things were", "src/refresh/vkpt/scene/scene.cpp",
+          "        top_changed_ = true;", "        top_changed_ = false;",
+          ENTITIES, "*StillTest.WhatChangesIsCopiedInItsFrame/bvh"),
     Fault("a drawn light weighs 3% too much", "shaders/light/technique.glsl",
           "light == NONE ? 0.0 : 1.0 / probability", "light == NONE ? 0.0 : 1.03 / probability",
           TECHNIQUE, "*KeepsItsPromises/uniform_Default"),

@@ -43,6 +43,7 @@ SECTIONS = (
     ("trade", "What each variable costs and buys", trade),
     ("confirm", "What looked better, on fresh seeds", SimpleNamespace(draw=lambda report: ())),
     ("picture", "Filtered pictures", SimpleNamespace(draw=lambda report: ())),
+    ("economy", "Features that a level lacks", SimpleNamespace(draw=lambda report: ())),
 )
 
 TABLES_TEXT = ("Ratios are over the baseline of their part. The first is that of the means, an estimate; the second is that of the typical run, with "

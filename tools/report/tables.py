@@ -216,7 +216,28 @@ def picture(report):
         yield [part["part"], *headings], lines
 
 
-KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade, confirm, picture)}
+def economy(report):
+    """Levels down, features across: those that a level has are no rows of its own. economy_page.py has more."""
+    parts = report["parts"]
+    labels = list(dict.fromkeys(row["label"] for part in parts for row in part["rows"]))
+
+    def table(title, text_of):
+        lines = []
+        for part in parts:
+            cells = {row["label"]: text_of(row) for row in part["rows"]}
+            lines.append([part["part"], *(cells.get(label, "") for label in labels)])
+        return [title, *labels], lines
+
+    yield table("Time of path tracing", lambda row: cell((None, row["path_ms"]["ratio"])))
+    yield table("Time of a frame", lambda row: cell((None, row["frame_ms"]["ratio"])))
+    yield table("Seconds to compile", lambda row: number(row["compile_s"]["value"]))
+    yield table("KiB of code", lambda row: number(row["code_bytes"]["value"] and row["code_bytes"]["value"] / 1024))
+    yield table("MiB of memory", lambda row: number(row["memory_bytes"]["value"] / 2**20))
+    yield table("Bytes uploaded a frame, camera moving", lambda row: f"{row['upload_bytes']['value']:,.0f}")
+    yield table("Bytes uploaded a frame, still", lambda row: f"{row['still_upload_bytes']['value']:,.0f}")
+
+
+KINDS = {function.__name__: function for function in (quality, adapt, ring, timing, scale, trade, confirm, picture, economy)}
 
 
 def markdown_table(head, lines):

@@ -32,6 +32,7 @@ game    |                               | python3                               
 fuzz    | no fuzzing                    | clang libclang-rt-dev/clang                | clang compiler-rt                 | clang compiler-rt
 bench   |                               | libcli11-dev libboost-dev                  | cli11-devel boost-devel           | cli11 boost
 bench   | `bench trace` has nothing to compare with | libembree-dev                  | embree-devel                      | embree
+bench   | `bench economy` cannot tell how large shaders are | spirv-tools            | spirv-tools-devel                 | spirv-tools
 bench   | no plots                      | python3-matplotlib                         | python3-matplotlib                | python-matplotlib
 report  |                               | python3 python3-venv                       | python3 python3-pip               | python
 faults  |                               | python3                                    | python3                           | python

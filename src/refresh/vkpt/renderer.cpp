@@ -25,6 +25,7 @@ gpu::DeviceOptions device_options(const refresh::Settings& settings) {
     options.name = settings.vk_device;
     options.validation = settings.vk_validation;
     options.debug_names = settings.vk_debug_names != 0;
+    options.cache = settings.vk_cache != 0;
     return options;
 }
 
@@ -37,12 +38,12 @@ VkptRenderer::VkptRenderer(FileSystem& files, refresh::SurfaceProvider* surface,
                            const refresh::Settings& settings)
     : files_(files), surface_(surface), settings_(settings),
       device_(device_options(settings), surface),
-      compiler_(device_, cache_dir() / "pipelines.bin"), frames_{gpu::FrameCommands(device_),
-                                                                 gpu::FrameCommands(device_)},
-      waiting_frame_(device_), left_(device_, compiler_, frames_in_flight),
-      buffers_(device_, left_.guiding().look_up()), path_tracer_(compiler_, buffers_),
-      direction_map_(compiler_, buffers_), filter_(device_, compiler_, buffers_),
-      post_(device_, compiler_, buffers_), draws_(device_, compiler_) {
+      compiler_(device_, settings.vk_cache != 0 ? cache_dir() / "pipelines.bin" : ""),
+      frames_{gpu::FrameCommands(device_), gpu::FrameCommands(device_)}, waiting_frame_(device_),
+      left_(device_, compiler_, frames_in_flight), buffers_(device_, left_.guiding().look_up()),
+      path_tracer_(compiler_, buffers_), direction_map_(compiler_, buffers_),
+      filter_(device_, compiler_, buffers_), post_(device_, compiler_, buffers_),
+      draws_(device_, compiler_) {
     log_info("Vulkan device: {}", device_.description());
     if (surface_) swapchain_.emplace(device_, *surface_, frames_in_flight);
 }
@@ -67,7 +68,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
-    frame_unfinished_ = false; // everything is copied anew
+    if (std::exchange(frame_unfinished_, false)) draws_.forget_copies(); // all else is made anew
     shown_ = {};
     guiding_work_ = {};
     reset_guiding();
@@ -397,7 +398,8 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
     draws_.record(commands);
     present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);
     frame_unfinished_ = false;
-    slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right, resolution_.scale()};
+    slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right, resolution_.scale(),
+                          device_.usage().take_uploads()};
     return frame_number_++;
 }
 
@@ -511,6 +513,8 @@ void VkptRenderer::finish_slot(size_t slot) {
     if (!frames_[slot].finish()) return;
     refresh::FrameTimes times;
     times.frame = slot_frames_[slot].number;
+    for (const auto& [name, bytes] : std::exchange(slot_frames_[slot].uploads, {}))
+        times.uploads.push_back({name, bytes});
     double whole = 0.0;
     for (size_t pass = 0; pass < std::size(pass_names); ++pass) {
         const double milliseconds = frames_[slot].timer().milliseconds(static_cast<uint32_t>(pass));

@@ -71,6 +71,8 @@ public:
     // Of the picture, or, while pt_compare splits it, of its left side.
     LightTechnique* technique() { return left_.technique(); }
     Guiding& guiding() { return left_.guiding(); }
+    /// Pipelines that can be used since the last call; with a watcher, after their first dispatch.
+    std::vector<gpu::CompiledPipeline> take_compiled() { return compiler_.take_compiled(); }
     /// What pt_guide asks for, as far as the device can.
     GuideChoice guide() const;
     /// Whether the octree is kept: for the technique, or for the guider.
@@ -176,6 +178,7 @@ private:
         bool guided = false;
         bool right = false;
         float scale = 1.0f; // of its resolution
+        gpu::ByteCounts uploads;
     };
     std::array<SlotFrame, frames_in_flight> slot_frames_{};
     shader::GuidingWork guiding_work_{}; // of the last frame that was finished with guiding

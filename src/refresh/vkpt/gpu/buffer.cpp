@@ -47,6 +47,7 @@ Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* 
     const VkResult result = vkAllocateMemory(device.handle(), &allocate, nullptr, &memory);
     if (result != VK_SUCCESS) fail("out of device memory: {} needs {}", name, size_text(bytes_));
     memory_ = {device.handle(), memory, vkFreeMemory};
+    share_ = MemoryShare(device.usage(), name, needs.size);
     check(vkBindBufferMemory(device.handle(), buffer_.get(), memory, 0), "vkBindBufferMemory");
     if (use != MemoryUse::Device) {
         void* pointer = nullptr;

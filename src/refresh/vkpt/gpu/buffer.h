@@ -26,6 +26,8 @@ public:
 
     VkBuffer handle() const { return buffer_.get(); }
     uint64_t bytes() const { return bytes_; }
+    /// That it was made with; nothing without a buffer.
+    const std::string& name() const { return share_.name(); }
     explicit operator bool() const { return static_cast<bool>(buffer_); }
 
     /// Host pointer; null for MemoryUse::Device.
@@ -35,6 +37,7 @@ public:
     }
 
 private:
+    MemoryShare share_;
     Handle<VkDeviceMemory> memory_; // freed after buffer_ (declared before it)
     Handle<VkBuffer> buffer_;
     uint64_t bytes_ = 0;

@@ -73,6 +73,7 @@ void upload_now(const Device& device, const Buffer& target, uint64_t offset,
                 std::span<const std::byte> bytes) {
     constexpr uint64_t chunk = 64u << 20;
     if (bytes.empty()) return;
+    device.usage().uploaded(target.name(), bytes.size());
     const Buffer staging(device, std::min<uint64_t>(chunk, bytes.size()), MemoryUse::Upload,
                          "staging");
     for (uint64_t done = 0; done < bytes.size(); done += chunk) {
@@ -144,6 +145,7 @@ void FrameCommands::submit(VkSemaphore wait, VkPipelineStageFlags wait_stage, Vk
 
 void FrameCommands::upload(const Buffer& target, uint64_t offset,
                            std::span<const std::byte> bytes) {
+    device_->usage().uploaded(target.name(), bytes.size());
     for (uint64_t done = 0; done < bytes.size();) {
         if (staging_chunk_ < staging_.size() && staging_used_ == staging_[staging_chunk_].bytes()) {
             ++staging_chunk_;

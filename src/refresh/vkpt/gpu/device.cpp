@@ -150,6 +150,10 @@ Device::~Device() {
 }
 
 void Device::create_instance(const DeviceOptions& options, refresh::SurfaceProvider* surface) {
+    if (!options.cache) { // what Mesa and NVIDIA's driver look at
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+        setenv("__GL_SHADER_DISK_CACHE", "0", 1);
+    }
     std::vector<const char*> layers;
     std::vector<std::string> names;
     if (surface) names = surface->instance_extensions();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "refresh/vkpt/gpu/handle.h"
+#include "refresh/vkpt/gpu/usage.h"
 
 #include <atomic>
 #include <cstdint>
@@ -37,6 +38,7 @@ struct DeviceOptions {
     std::string name;         // part of the device's name, or its index; empty: the best one
     int validation = 0;       // 0 off, 1 core, 2 core and synchronisation, 3 core and GPU-assisted
     bool debug_names = false; // object names and labels for debuggers (always on with validation)
+    bool cache = true;        // false: the driver compiles all shaders anew in this process
     bool allow_ray_query = true;
 };
 
@@ -76,6 +78,9 @@ public:
 
     /// Validation messages (warnings and errors) so far; 0 when validation is off.
     int validation_messages() const { return validation_messages_.load(); }
+
+    /// Counted by the device's buffers and images.
+    Usage& usage() const { return usage_; }
 
     /// Memory type index for `type_bits` with all of `wanted` and, if possible, `preferred`. Throws
     /// Error.
@@ -125,6 +130,7 @@ private:
     std::string driver_info_;
     DeviceFeatures features_;
     std::atomic<int> validation_messages_{0};
+    mutable Usage usage_;
     bool debug_utils_ = false;
     PFN_vkSetDebugUtilsObjectNameEXT set_object_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;

@@ -30,6 +30,7 @@ Image::Image(const Device& device, uint32_t width, uint32_t height, VkFormat for
     allocate.memoryTypeIndex =
         device.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     memory_ = device.make(vkAllocateMemory, vkFreeMemory, allocate, "vkAllocateMemory");
+    share_ = MemoryShare(device.usage(), name, needs.size);
     check(vkBindImageMemory(device.handle(), image_.get(), memory_.get(), 0), "vkBindImageMemory");
 
     auto view_info = structure<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);

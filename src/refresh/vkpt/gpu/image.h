@@ -20,6 +20,7 @@ public:
     uint32_t height() const { return height_; }
 
 private:
+    MemoryShare share_;
     Handle<VkDeviceMemory> memory_;
     Handle<VkImage> image_;
     Handle<VkImageView> view_;

@@ -82,6 +82,7 @@ std::shared_ptr<PipelineJob> PipelineCompiler::begin_first_dispatch() {
         undispatched_, {}, [](const auto& job) { return job->source.spirv.size(); });
     if (found == undispatched_.end()) return nullptr;
     dispatched_ = *found;
+    dispatch_watch_ = {};
     undispatched_.erase(found);
     return dispatched_;
 }
@@ -89,8 +90,19 @@ std::shared_ptr<PipelineJob> PipelineCompiler::begin_first_dispatch() {
 void PipelineCompiler::finish_first_dispatch(const std::shared_ptr<PipelineJob>& job) {
     const std::lock_guard lock(mutex_);
     dispatched_.reset();
+    job->seconds += dispatch_watch_.seconds();
+    count_done(*job);
+}
+
+void PipelineCompiler::count_done(const PipelineJob& job) {
     ++done_;
-    done_bytes_ += job->source.spirv.size_bytes();
+    done_bytes_ += job.source.spirv.size_bytes();
+    if (job.fault.empty()) compiled_.push_back({job.source, job.seconds});
+}
+
+std::vector<CompiledPipeline> PipelineCompiler::take_compiled() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(compiled_, {});
 }
 
 bool PipelineCompiler::idle() const {
@@ -136,13 +148,16 @@ void PipelineCompiler::work() {
         Handle<VkPipeline> pipeline;
         std::string fault;
         const PipelineSource& source = job->source;
+        const Stopwatch watch;
         try {
             pipeline = make_compute_pipeline(device_, job->layout->handle(), &cache_, source.spirv,
                                              source.constants, source.name.c_str());
         } catch (const std::exception& error) {
             fault = error.what();
         }
+        const double seconds = watch.seconds();
         lock.lock();
+        job->seconds = seconds;
         job->pipeline = std::move(pipeline);
         job->fault = std::move(fault);
         job->state = PipelineJob::State::Finished;
@@ -150,8 +165,7 @@ void PipelineCompiler::work() {
         if (device_.features().llvmpipe_mesa > 0 && job->fault.empty() && !source.ray_queries) {
             undispatched_.push_back(job);
         } else {
-            ++done_;
-            done_bytes_ += source.spirv.size_bytes();
+            count_done(*job);
         }
         changed_.notify_all();
     }

@@ -4,6 +4,7 @@
 // pipeline counts as done after that (first_dispatch.h).
 #pragma once
 
+#include "common/stopwatch.h"
 #include "refresh/refresh.h"
 #include "refresh/vkpt/gpu/pipeline.h"
 
@@ -23,7 +24,15 @@ struct PipelineJob {
     PipelineSource source;
     State state = State::Queued;
     Handle<VkPipeline> pipeline;
-    std::string fault; ///< why it could not be made
+    std::string fault;    ///< why it could not be made
+    double seconds = 0.0; ///< that the driver has worked on it
+};
+
+/// A pipeline that can be used, and how long the driver took for it, its first dispatch included
+/// where that compiles.
+struct CompiledPipeline {
+    PipelineSource source;
+    double seconds = 0.0;
 };
 
 class PipelineCompiler {
@@ -42,12 +51,15 @@ public:
     /// What is left, and what was done since nothing was left.
     refresh::Compilation state() const;
     bool idle() const;
+    /// Those that were done since the last call.
+    std::vector<CompiledPipeline> take_compiled();
 
 private:
     friend class ComputePipeline;
     std::shared_ptr<PipelineJob> add(const PipelineLayout& layout, PipelineSource source);
     /// The pipeline, once it can be used. Throws Error when it could not be made.
     VkPipeline wait(const PipelineJob& job);
+    void count_done(const PipelineJob& job);
     /// Nobody wants it any more; waits while the device is at work on it.
     void drop(PipelineJob& job);
 
@@ -62,6 +74,8 @@ private:
     /// Made, and not compiled yet.
     std::vector<std::shared_ptr<PipelineJob>> undispatched_;
     std::shared_ptr<PipelineJob> dispatched_; // for the first time, now
+    Stopwatch dispatch_watch_;                // since that began
+    std::vector<CompiledPipeline> compiled_;
     int done_ = 0;
     uint64_t done_bytes_ = 0; // of SPIR-V
     bool ending_ = false;

@@ -114,7 +114,9 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
         add(draw, glm::ivec2(size));
     if (rects_.empty()) return;
     pass_.choose();
-    bool rebind = rect_buffer_.set(gpu::bytes_of(rects_)) || display.handle() != display_;
+    bool rebind = display.handle() != display_;
+    const auto bytes = gpu::bytes_of(rects_), before = gpu::bytes_of(copied_);
+    if (!std::ranges::equal(bytes, before)) rebind |= rect_buffer_.set(bytes);
     if (new_texels_) {
         device_.wait_idle();
         texel_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(texels_), "pictures");
@@ -130,9 +132,15 @@ void Draws::prepare(const gpu::Buffer& display, glm::uvec2 size,
     set_.bind(BINDING_DRAWS_TEXELS, texel_buffer_ ? texel_buffer_ : unused_);
 }
 
+void Draws::forget_copies() {
+    copied_.clear();
+    new_texels_ = !texels_.empty();
+}
+
 void Draws::record(gpu::FrameCommands& commands) {
     if (rects_.empty()) return;
     rect_buffer_.upload(commands);
+    copied_ = rects_;
     for (const refresh::PictureHandle handle : changed_) {
         const Picture& changed = picture(handle);
         const size_t count = size_t{changed.size.x} * changed.size.y;

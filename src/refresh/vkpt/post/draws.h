@@ -35,8 +35,10 @@ public:
     /// Brings what record() will draw over `display` (RGBA8, rows of `size.x` words). Throws Error
     /// if there is no such picture.
     void prepare(const gpu::Buffer& display, glm::uvec2 size, std::span<const refresh::Draw> draws);
-    /// Records the pass.
+    /// Records the pass, and copies of what differs from what was recorded before.
     void record(gpu::FrameCommands& commands);
+    /// Nobody knows whether what was recorded was done: all is copied again.
+    void forget_copies();
 
 private:
     struct Picture {
@@ -65,7 +67,8 @@ private:
         uint32_t first = 0, count = 0;
         glm::uvec2 groups{0, 0};
     };
-    std::vector<shader::DrawRect> rects_; // of this frame
+    std::vector<shader::DrawRect> rects_;  // of this frame
+    std::vector<shader::DrawRect> copied_; // that the buffer has
     std::vector<Batch> batches_;
     uint32_t width_ = 0;
     VkBuffer display_ = VK_NULL_HANDLE; // that the set is of

@@ -14,6 +14,7 @@ struct Bounds {
     glm::vec3 lower{std::numeric_limits<float>::infinity()};
     glm::vec3 upper{-std::numeric_limits<float>::infinity()};
 
+    bool operator==(const Bounds&) const = default;
     bool empty() const { return lower.x > upper.x; }
     glm::vec3 center() const { return 0.5f * (lower + upper); }
     glm::vec3 extent() const { return upper - lower; }

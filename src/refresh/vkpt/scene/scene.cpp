@@ -385,13 +385,16 @@ void Scene::add_particles(const refresh::Frame& frame) {
         particle_capacity_ = std::bit_ceil(std::max(frame.particles.size(), least_particles));
         particle_model_ = place_model(
             "particles", particle_geometry(frame, particle_capacity_, *materials_), Deforms::Yes);
-    } else {
+    } else if (particle_eye_ != frame.view.origin ||
+               !std::ranges::equal(frame.particles, shown_particles_)) {
         const size_t materials = materials_->materials().size();
         write_model(placed_[*particle_model_],
                     particle_geometry(frame, particle_capacity_, *materials_));
         changed_.push_back(*particle_model_);
         static_dirty_ |= materials_->materials().size() != materials; // a new colour
     }
+    shown_particles_.assign(frame.particles.begin(), frame.particles.end());
+    particle_eye_ = frame.view.origin; // which they face
     add_instance(placed_[*particle_model_], *particle_model_, glm::mat4x3(1.0f), 0, particles_key,
                  0);
 }
@@ -440,7 +443,11 @@ bool Scene::prepare(const refresh::Frame& frame) {
         add_model(*spot_model_, transform, spot.radiance, spot_key_base + spot.id, spot.id);
     }
     lights_.end_frame();
-    top_nodes_ = build_top_level(top_instances_);
+    if (top_instances_ != built_top_instances_ || top_nodes_.empty()) {
+        top_nodes_ = build_top_level(top_instances_);
+        built_top_instances_ = top_instances_;
+        top_changed_ = true;
+    }
     update_features(instances_.size() > 1);
 
     // Note whether the picture can differ from the last frame's.
@@ -449,13 +456,19 @@ bool Scene::prepare(const refresh::Frame& frame) {
         !std::equal(bytes.begin(), bytes.end(), instance_bytes_.begin(), instance_bytes_.end());
     if (moved || static_dirty_ || !changed_.empty() || lights_.revision() != seen_light_revision_)
         ++revision_;
-    instance_bytes_.assign(bytes.begin(), bytes.end());
+    if (moved) instance_bytes_.assign(bytes.begin(), bytes.end());
+    instances_changed_ |= moved;
     seen_light_revision_ = lights_.revision();
 
     // Make room.
     bool renewed = static_dirty_ && upload_static();
-    renewed |= gpu::grow(device_, instances_buffer_, bytes.size(), "instances");
-    renewed |= gpu::grow(device_, top_buffer_, gpu::bytes_of(top_nodes_).size(), "top-level nodes");
+    const auto make_room = [&](gpu::Buffer& buffer, uint64_t size, const char* name,
+                               bool& changed) {
+        if (!gpu::grow(device_, buffer, size, name)) return;
+        renewed = changed = true;
+    };
+    make_room(instances_buffer_, bytes.size(), "instances", instances_changed_);
+    make_room(top_buffer_, gpu::bytes_of(top_nodes_).size(), "top-level nodes", top_changed_);
     if (gpu::grow(device_, lights_buffer_, lights_.lights().size_bytes(), "lights")) {
         renewed = true;
         uploaded_light_revision_ = 0;
@@ -498,8 +511,10 @@ void Scene::upload(gpu::FrameCommands& commands) {
                 std::span(primitives_).subspan(placed.first_triangle, placed.triangle_count)));
     }
     changed_.clear();
-    commands.upload(instances_buffer_, 0, gpu::bytes_of(instances_));
-    commands.upload(top_buffer_, 0, gpu::bytes_of(top_nodes_));
+    if (std::exchange(instances_changed_, false))
+        commands.upload(instances_buffer_, 0, gpu::bytes_of(instances_));
+    if (std::exchange(top_changed_, false))
+        commands.upload(top_buffer_, 0, gpu::bytes_of(top_nodes_));
     if (uploaded_light_revision_ != lights_.revision()) {
         commands.upload(lights_buffer_, 0, std::as_bytes(lights_.lights()));
         uploaded_light_revision_ = lights_.revision();
@@ -507,7 +522,7 @@ void Scene::upload(gpu::FrameCommands& commands) {
     if (ray_query_) ray_query_->record(commands);
 }
 
-void Scene::update_features(bool any_instances) {
+SceneFeatures Scene::features_of_surfaces() const {
     SceneFeatures features;
     for (const shader::Material& material : materials_->materials()) {
         features.sky |= (material.flags & shader::MATERIAL_SKY) != 0;
@@ -516,11 +531,17 @@ void Scene::update_features(bool any_instances) {
             (material.flags & (shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)) != 0;
         features.animation |= material.frame_count > 1;
     }
-    features.sun = features.sky && sky_.sun_irradiance != glm::vec3(0.0f);
     features.translucent =
         std::any_of(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
             return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
         });
+    return features;
+}
+
+void Scene::update_features(bool any_instances) {
+    if (static_dirty_ || !changed_.empty()) surface_features_ = features_of_surfaces();
+    SceneFeatures features = surface_features_;
+    features.sun = features.sky && sky_.sun_irradiance != glm::vec3(0.0f);
     for (const shader::Instance& instance : instances_) {
         features.effects |=
             instance.flags != shader::INSTANCE_PLAIN || instance.glow != glm::vec3(0.0f);

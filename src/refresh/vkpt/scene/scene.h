@@ -149,6 +149,8 @@ private:
                       uint32_t first_light, uint64_t key, uint32_t entity,
                       const InstanceLook& look = {});
     void update_features(bool any_instances);
+    /// What materials and triangles have of features.
+    SceneFeatures features_of_surfaces() const;
     bool upload_static();
 
     const gpu::Device& device_;
@@ -184,7 +186,7 @@ private:
     // This frame.
     std::vector<shader::Instance> instances_;
     std::vector<size_t> instance_placed_;
-    std::vector<TopLevelInstance> top_instances_;
+    std::vector<TopLevelInstance> top_instances_, built_top_instances_; // those of top_nodes_
     std::vector<shader::TopNode> top_nodes_;
     std::map<uint64_t, glm::mat4x3> previous_transforms_;
     std::map<uint64_t, glm::mat4x3> transforms_;
@@ -194,6 +196,11 @@ private:
     bool reported_no_room_ = false; // that there was no room for some
     uint64_t revision_ = 1;
     std::vector<std::byte> instance_bytes_; // of the frame before, to see changes
+    // What the buffers do not have yet.
+    bool instances_changed_ = true, top_changed_ = true;
+    SceneFeatures surface_features_; // of materials and triangles as they are
+    std::vector<refresh::Particle> shown_particles_;
+    glm::vec3 particle_eye_{0.0f};
 
     gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
         instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Builds the top level of a frame: a threaded tree over the world bounds of all instances but the
-// static world, in the TopNode format of shaders/shared/bvh.h. It is rebuilt every frame (a few
-// thousand instances take a few milliseconds) and keeps nothing between frames.
+// static world, in the TopNode format of shaders/shared/bvh.h. It is rebuilt in every frame in
+// which an instance differs (a few thousand take a few milliseconds), and keeps nothing.
 #pragma once
 
 #include "refresh/vkpt/scene/bounds.h"
@@ -21,6 +21,8 @@ struct TopLevelInstance {
     std::uint32_t bvh_root = 0;          // from append_bvh
     std::uint32_t instance = 0; // index in Instance[]; the static world, 0, does not belong here
     std::uint32_t flags = shader::INSTANCE_PLAIN; // as in Instance[]
+
+    bool operator==(const TopLevelInstance&) const = default;
 };
 
 /// Box in world space around the transformed box.

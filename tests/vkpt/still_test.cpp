@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A scene in which nothing changes is not copied again, and one in which something does reaches the
+// device in the same frame. The level is the room of tests/data/lamp.
+#include "formats/picture_bytes.h"
+#include "formats/small_models.h"
+#include "refresh/vkpt/gpu/commands.h"
+#include "render_test.h"
+
+#include <cstring>
+#include <set>
+
+namespace vigil::test {
+namespace {
+
+class StillTest : public RenderTest, public testing::WithParamInterface<std::string_view> {
+protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        set("pt_nee", "vlc");
+        set("pt_guide", "cdq");
+        set("pt_trace", GetParam());
+        if (GetParam() == "query" && !renderer().device().features().ray_query)
+            GTEST_SKIP() << "the device has no ray queries";
+        write_game_file("models/plate.glb", triangle_glb(R"("scale":[90,90,90],)"));
+        write_game_file("models/box.md2", small_md2());
+        write_game_file("models/box/skin.pcx", write_pcx(1, 1));
+        load("lamp");
+        shot_.view = {{-192, 0, 64}, {10, 0, 0}, 90};
+        shot_.entities = {entity(1, "models/box.md2", {0, 0, 32}),
+                          entity(2, "models/plate.glb", {100, 0, 32})};
+        shot_.spots = {{3, {0, 100, 120}, {60, 0, 0}, 1.5f, {40, 40, 40}}};
+        particles_ = {{{50, 20, 60}, 2.0f, {1, 0.5f, 0}, 1.0f}};
+        draws_.resize(1);
+        draws_[0].size = {8, 4};
+        render();
+    }
+    static refresh::Entity entity(int number, std::string_view model, glm::vec3 origin) {
+        refresh::Entity entity;
+        entity.number = number;
+        entity.model = renderer().register_model(model);
+        entity.origin = origin;
+        return entity;
+    }
+    refresh::Frame frame() const {
+        refresh::Frame frame = shot_.frame();
+        frame.particles = particles_;
+        frame.draws = draws_;
+        return frame;
+    }
+    /// One frame; returns what was copied for it, by buffer.
+    gpu::ByteCounts render() const {
+        renderer().render(frame());
+        gpu::ByteCounts copied;
+        const std::vector<refresh::FrameTimes> times = renderer().take_frame_times(true);
+        for (const refresh::Upload& upload : times.back().uploads)
+            copied[upload.name] += upload.bytes;
+        expect_host_and_device_are_the_same();
+        return copied;
+    }
+    static std::set<std::string> names(const gpu::ByteCounts& copied) {
+        std::set<std::string> names;
+        for (const auto& [name, bytes] : copied)
+            names.insert(name);
+        for (const auto& [name, bytes] : unavoidable)
+            names.erase(name);
+        return names;
+    }
+
+    template <typename T>
+    static void expect_same(const gpu::Buffer& buffer, std::span<const T> host) {
+        const std::vector<T> device =
+            gpu::download_now_as<T>(renderer().device(), buffer, 0, host.size());
+        EXPECT_EQ(std::memcmp(device.data(), host.data(), host.size_bytes()), 0) << buffer.name();
+    }
+    static void expect_host_and_device_are_the_same() {
+        const vkpt::Scene& scene = *renderer().scene();
+        expect_same<shader::Instance>(scene.instances(), scene.host_instances());
+        expect_same<shader::BvhTriangle>(scene.triangles(), scene.host_triangles());
+        expect_same<shader::Primitive>(scene.primitives(), scene.host_primitives());
+        expect_same<shader::Light>(scene.light_buffer(), scene.lights().lights());
+    }
+    /// Renders what may follow from a change (places of the frame before, changes that fade), and
+    /// then expects stillness.
+    void expect_still_again() const {
+        for (int frame = 0; frame < 40; ++frame)
+            render();
+        EXPECT_EQ(render(), unavoidable);
+    }
+
+    // The number of the frame is among its parameters; the passes that learn count from zero.
+    inline static const gpu::ByteCounts unavoidable{
+        {"frame parameters", sizeof(shader::FrameParams)},
+        {"guiding work", sizeof(shader::GuidingWork)}};
+    Shot shot_;
+    std::vector<refresh::Particle> particles_;
+    std::vector<refresh::Draw> draws_;
+};
+
+TEST_P(StillTest, NothingIsCopiedWhereNothingChanges) {
+    shot_.spots.clear(); // its light is new in the first frame, and looked for until that fades
+    load("lamp");
+    shot_.entities = {entity(1, "models/box.md2", {0, 0, 32}),
+                      entity(2, "models/plate.glb", {100, 0, 32})};
+    EXPECT_TRUE(render().contains("instances"));
+    for (int number = 1; number < 5; ++number)
+        EXPECT_EQ(render(), unavoidable) << "frame " << number;
+}
+
+TEST_P(StillTest, WhatChangesIsCopiedInItsFrame) {
+    const std::string top = GetParam() == "query" ? "top-level instances" : "top-level nodes";
+    expect_still_again();
+
+    shot_.entities[1].origin.y += 30.0f; // a door, say
+    std::set<std::string> moved = names(render());
+    EXPECT_TRUE(moved.contains("instances"));
+    EXPECT_TRUE(moved.contains(top));
+    EXPECT_FALSE(moved.contains("triangles"));
+    // It was elsewhere in the frame before, and is not any more.
+    EXPECT_EQ(names(render()), std::set<std::string>{"instances"});
+    expect_still_again();
+
+    shot_.entities[0].frame = 1; // a pose
+    EXPECT_TRUE(names(render()).contains("triangles"));
+    expect_still_again();
+
+    shot_.dark_styles = {0};
+    EXPECT_TRUE(names(render()).contains("lights"));
+    expect_still_again();
+    shot_.dark_styles = {};
+    EXPECT_TRUE(names(render()).contains("lights"));
+    expect_still_again();
+
+    shot_.spots[0].origin.x += 10.0f;
+    EXPECT_TRUE(names(render()).contains("lights"));
+    expect_still_again();
+
+    particles_[0].origin.z -= 5.0f;
+    EXPECT_TRUE(names(render()).contains("triangles"));
+    expect_still_again();
+    shot_.view.origin.x += 1.0f; // which particles face
+    EXPECT_TRUE(names(render()).contains("triangles"));
+    expect_still_again();
+
+    shot_.entities.pop_back();
+    moved = names(render());
+    EXPECT_TRUE(moved.contains("instances"));
+    EXPECT_TRUE(moved.contains(top));
+    expect_still_again();
+
+    draws_[0].size.x += 1;
+    EXPECT_EQ(names(render()), std::set<std::string>{"draws"});
+    expect_still_again();
+}
+
+TEST_P(StillTest, WhatWasPreparedAndNotDrawnIsCopiedLater) {
+    expect_still_again();
+    shot_.entities[1].origin.y += 30.0f;
+    renderer().scene()->prepare(frame()); // as the command `export` does
+    EXPECT_TRUE(names(render()).contains("instances"));
+    expect_still_again();
+}
+
+INSTANTIATE_TEST_SUITE_P(Trace, StillTest, testing::Values("bvh", "query"),
+                         [](const auto& given) { return std::string(given.param); });
+
+} // namespace
+} // namespace vigil::test
