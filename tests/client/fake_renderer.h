@@ -99,7 +99,8 @@ public:
         for (; timed_ < rendered_; ++timed_)
             times.push_back({timed_,
                              {{"primary", 1.0, refresh::PassGroup::PathTracing}, {"shade", 3.0}},
-                             {{"leaves", static_cast<double>(timed_)}}});
+                             {{"leaves", static_cast<double>(timed_)}},
+                             {}});
         return times;
     }
     std::string device_name() const override { return log_.device; }
