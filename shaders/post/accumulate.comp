@@ -34,7 +34,7 @@ void main() {
         if (frame.accumulated > 1u) carry = mean_radiance[carry_index];
         add_to_mean(value, carry, frame.accumulated, radiance[index] / float(path_count));
         mean_radiance[index] = value;
-        // Of one frame it is 0.
+        // Of one frame it is 0, and nobody reads it.
         if (frame.accumulated > 0u) mean_radiance[carry_index] = carry;
         tile[lane] = vec2(luminance(value), 1.0);
     }

@@ -17,12 +17,13 @@ source tests/yamagi/engine.sh
 
 # ---- playing ----
 
-# play_engine TECHNIQUE LOG COMMAND ...: the demo, every frame once. The clock stands: time is the demo's.
+# play_engine TECHNIQUE LOG COMMAND ...: the demo, every frame once. The clock stands: time is the demo's. The weapon has the
+# angle of the view, as in vigil.
 play_engine() {
   local technique=$1 log=$2 line
   shift 2
   {
-    printf 'set %s\n' "pt_nee $technique" "pt_guide brdf" "flt_enable 0" "crosshair 0" "fixedtime 1" "timedemo 1" \
+    printf 'set %s\n' "pt_nee $technique" "pt_guide brdf" "flt_enable 0" "crosshair 0" "r_gunfov -1" "fixedtime 1" "timedemo 1" \
       "vigil_dlight_scale 1" "nextdemo quit"
     for line in "$@"; do printf '%s\n' "$line"; done
     echo "demomap shown.dm2"

@@ -61,10 +61,13 @@ names=(menu console start walked shooting dead loaded left_handed)
   printf '%s\n' "set fixedtime 50000" "set cheats 1" menu_main
   waits 8
   shot menu
+  echo newgame
+  waits 12
+  # The menu stays, and the game stands still, until the console has been there.
   echo toggleconsole
   waits 8
   shot console
-  printf '%s\n' toggleconsole newgame
+  echo toggleconsole
   waits 30
   shot start
   echo +forward

@@ -92,8 +92,8 @@ std::vector<std::byte> alias_table_bytes(std::span<const float> weights) {
     const std::vector<shader::AliasEntry> entries = build_alias_table(weights);
     const auto count = static_cast<uint32_t>(entries.size());
     const auto head = std::as_bytes(std::span(&count, 1)), rest = std::as_bytes(std::span(entries));
-    std::vector<std::byte> bytes(head.begin(), head.end());
-    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    std::vector<std::byte> bytes(head.size() + rest.size());
+    std::ranges::copy(rest, std::ranges::copy(head, bytes.begin()).out);
     return bytes;
 }
 
