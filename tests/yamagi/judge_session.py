@@ -3,7 +3,8 @@
 """Judges what session.sh left: FOLDER SHOTS SANITIZED NAME...
 
 The pictures in SHOTS (BMP, one per NAME) become FOLDER/pictures/NAME.png. None may be black, or like the one before. The memory
-in FOLDER/memory (KiB, a line each) may not grow, unless SANITIZED is 1.
+in FOLDER/memory (lines with KiB and the number of levels left) may not grow from the third round of levels to the last, unless
+SANITIZED is 1.
 """
 import struct
 import sys
@@ -13,6 +14,7 @@ from pathlib import Path
 BLACK = 4  # mean of a picture's values, of 255
 ALIKE = 0.05  # part of the values that differ
 GROWTH = 16  # MiB
+LEVELS, ROUNDS = 5, 4
 
 
 def read_bmp(path: Path) -> tuple[int, int, bytes]:
@@ -51,11 +53,12 @@ def main() -> int:
         if mean < BLACK or change < ALIKE:
             bad.append(f"{name} is black, or as the picture before it")
         before = rgb
-    memory = [int(line) / 1024 for line in (folder / "memory").read_text().split()]
-    part = 2 * len(memory) // 3
-    early, late = max(memory[:part]), max(memory[part:])
-    print(f"memory: {early:.0f} MiB at most in the first two thirds, {late:.0f} in the last")
-    if not sanitized and late > early + GROWTH:
+    most = [0.0] * ROUNDS
+    for line in (folder / "memory").read_text().splitlines():
+        size, left = map(int, line.split())
+        most[min(left // LEVELS, ROUNDS - 1)] = max(most[min(left // LEVELS, ROUNDS - 1)], size / 1024)
+    print("memory at most in each round of levels, MiB: " + ", ".join(f"{size:.0f}" for size in most))
+    if not sanitized and (most[-2] == 0 or most[-1] > most[-2] + GROWTH):
         bad.append("memory grows")
     for line in bad:
         print(line, file=sys.stderr)

@@ -3,7 +3,7 @@
 # A session of Yamagi Quake II with the module, by script, under Vulkan's validation.
 #   session.sh [BUILD]   menu, console, new game, walking, shooting, saving, death, loading, the other hand; then 20 changes of level
 # Pictures of each step go to pictures/ in ENGINE_FOLDER. It fails for a black picture, one like the picture before it, a
-# message of validation or of a sanitizer, a leak of the module, and for memory that grows from level to level. A module that was
+# message of validation or of a sanitizer, a leak of the module, and for memory that grows from round to round of levels. A module that was
 # built with sanitizers (build-asan) is run with them. See engine.sh for more.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -35,19 +35,22 @@ judge_log() {
   fi
 }
 
-# play LOG: the commands of standard input; then the log is judged. Its memory (KiB) is written down twice a second.
+# play LOG: the commands of standard input; then the log is judged. Twice a second a line of `memory` gets what the engine has
+# (KiB), and how many levels it has left.
 play() {
+  local log=$1 size
   : >"$scratch/memory"
   (
     while sleep 0.5; do
-      sed -n 's/^VmRSS:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$(pgrep -n quake2)/status" 2>/dev/null >>"$scratch/memory" || true
+      size=$(sed -n 's/^VmRSS:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$(pgrep -n quake2)/status" 2>/dev/null) || continue
+      echo "$size $(grep -ac 'Server restarted' "$log")" >>"$scratch/memory"
     done
   ) &
   local watcher=$!
-  run_engine 320 240 "$1" +set vk_validation 2
+  run_engine 320 240 "$log" +set vk_validation 2
   kill "$watcher"
   wait "$watcher" 2>/dev/null || true
-  judge_log "$1"
+  judge_log "$log"
 }
 
 # shot NAME: a picture of this step; `names` has them in order.
@@ -80,7 +83,7 @@ names=(menu console start walked shooting dead loaded left_handed)
   echo -attack
   waits 10
   echo "save session"
-  waits 4
+  waits 100 # the game lets nobody end it in the first five seconds
   echo kill
   waits 30
   shot dead
@@ -94,7 +97,7 @@ names=(menu console start walked shooting dead loaded left_handed)
 } | play "$scratch/session.log"
 
 step "20 changes of level"
-levels=(warehouse gallery mine yard room)
+levels=(warehouse gallery mine yard room) # four rounds
 {
   printf '%s\n' "set fixedtime 50000"
   for i in $(seq 0 19); do
