@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// PNG by libpng's simplified interface; see image_decoders.h. Rows are unpacked one after another:
-// data beyond those of the picture takes no memory.
+// PNG by libpng's functions for whole pictures (png_image); see image_decoders.h. Rows are unpacked
+// one after another: data beyond those of the picture takes no memory.
 #include "common/error.h"
 #include "common/printable.h"
 #include "formats/image_decoders.h"

@@ -25,7 +25,7 @@ Shaders are compiled for what a level has ([frame.md](../internals/frame.md#feat
 - *Code* is what is left of the shaders that depend on features: SPIR-V whose constants have their values, without what no invocation can reach. The driver's compiler begins with that. This driver does not tell how much machine code it makes.
 - *Compile* is the time that the driver takes for these shaders, up to the end of their first dispatch. Its caches are off. It was measured once a row.
 - *Memory* is that of all buffers and images. What the driver takes for compiled shaders is not counted. Rows of a level share one renderer, and buffers do not shrink.
-- *Uploads* are bytes that the host copies for a frame: the median while the camera moves, and the fourth frame after it stands still.
+- *Uploads* are bytes that the host copies for a frame: the median while the camera moves. What a still scene copies is tested (`tests/vkpt/still_test.cpp`).
 """
 
 # Buffers by what they are for; the first row whose words a name contains.
@@ -168,13 +168,7 @@ def memory(parts):
 
 
 def uploads(parts):
-    lines = []
-    for part in parts:
-        own = part["rows"][0]
-        still = own["still_upload_bytes"]
-        by = sorted(still["by"].items(), key=lambda entry: -entry[1])
-        lines.append([part["level"], f"{own['upload_bytes']['value']:,.0f}", f"{still['value']:,.0f}", ", ".join(f"{name} {count:,}" for name, count in by)])
-    return ["level, bytes a frame", "camera moves", "still", "of these, by buffer"], lines
+    return ["level", "bytes a frame"], [[part["level"], f"{part['rows'][0]['upload_bytes']['value']:,.0f}"] for part in parts]
 
 
 def feature(parts, name):
