@@ -10,14 +10,6 @@ const float ALONE = 1.0; // sum of the weights around, of 12, below which a pixe
 
 float kernel_weight(ivec2 step) { return (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0); }
 
-/// Neighbours, the four nearest first. A step takes all; later ones take these and the four others in turns, half the work for nearly the same calm.
-const int NEIGHBOURS = 8;
-ivec2 neighbour(int i) {
-    const int side = 2 * (i & 1) - 1;
-    if (i < 4) return i < 2 ? ivec2(side, 0) : ivec2(0, side);
-    return ivec2(side, 2 * ((i >> 1) & 1) - 1);
-}
-
 /// About exp(-x), and 0 from x = 4 on: cheaper.
 vec2 falls_off(vec2 x) {
     const vec2 root = max(1.0 - 0.25 * x, vec2(0.0));
@@ -82,13 +74,12 @@ void main() {
     const float own_distance = surface.depth * along;
     const float per_distance = 1.0 / (surface.depth * frame.pixel_angle * float(stride));
 
-    const bool all = filter_step == 0u;
-    const float own = all ? 4.0 : 2.0;
-    const int first = all || (filter_step & 1u) == 1u ? 0 : NEIGHBOURS / 2, end = all ? NEIGHBOURS : first + NEIGHBOURS / 2;
+    const float own = 4.0;
     vec2 weights = vec2(own);
     Light2 sum = Light2(own * middle.direct, own * middle.indirect, own * own * middle.deviation * middle.deviation);
-    for (int i = first; i < end; ++i) {
-        const ivec2 step = neighbour(i);
+    for (int i = 0; i < 9; ++i) {
+        if (i == 4) continue;
+        const ivec2 step = ivec2(i % 3 - 1, i / 3 - 1);
         const ivec2 at = pixel + stride * step;
         if (!same_side(at, pixel)) continue;
         const uint there = pixel_index(at);
@@ -101,7 +92,7 @@ void main() {
         const vec2 noise = sqrt(variance + light.deviation * light.deviation);
         const vec2 apart =
             abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
-        const vec2 weight = (all ? kernel_weight(step) : own) * alike(facing, unpackSnorm4x8(other.facing)) * falls_off(apart + off_plane);
+        const vec2 weight = kernel_weight(step) * alike(facing, unpackSnorm4x8(other.facing)) * falls_off(apart + off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;
         sum.deviation += weight * weight * light.deviation * light.deviation;
