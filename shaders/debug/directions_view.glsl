@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `pt_view cdq`, drawn over the picture: the octree leaf under the crosshair stays bright, and two octahedral maps show
-// with which density its quadtree draws directions, and the density in proportion to the light that arrives there (paper, figure 10).
+// `pt_view cdq`, drawn over the picture: the leaves of the octree node under the crosshair stay bright, and two octahedral maps show
+// with which density their quadtree draws directions, and the density in proportion to the light that arrives there (paper, figure 10).
 #ifndef VIGIL_DEBUG_DIRECTIONS_VIEW_GLSL
 #define VIGIL_DEBUG_DIRECTIONS_VIEW_GLSL
 
@@ -19,7 +19,7 @@ vec3 guide_color(Surface surface, DirectionInset inset) {
     return VIEW_OFF;
 #else
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
-    const Guide guide = guide_prepare(load_guide(found.cache));
+    const Guide guide = guide_prepare(load_guide(octree_node_of(found.cache)));
     const vec3 color = density_color(guide_pdf(guide, octahedral_decode(inset.uv)));
     return guide_border(guide, inset.uv, float(inset.edge)) ? 0.7 * color : color;
 #endif
@@ -53,9 +53,9 @@ vec3 directions_color(uvec2 pixel, vec3 picture, Surface at_crosshair, bool foun
     if (inset.kind != INSET_NONE) return found ? inset_color(at_crosshair, inset) : VIEW_OFF;
     if (on_crosshair(pixel)) return VIEW_HORIZON;
     if (guided == 0u || !found) return picture;
-    const bool same_leaf = hit && find_leaves(here.position, previous_position(here)).cache ==
-                                      find_leaves(at_crosshair.position, previous_position(at_crosshair)).cache;
-    return same_leaf ? picture : VIEW_OTHER_LEAF * picture;
+    const bool same_node = hit && octree_node_of(find_leaves(here.position, previous_position(here)).cache) ==
+                                      octree_node_of(find_leaves(at_crosshair.position, previous_position(at_crosshair)).cache);
+    return same_node ? picture : VIEW_OTHER_LEAF * picture;
 }
 
 #endif

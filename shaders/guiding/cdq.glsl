@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Guider `cdq`: Compressed Directional Quadtrees (paper, section 5; shared/cdq.h), one per leaf of the octree. GUIDER_SIZE is
+// Guider `cdq`: Compressed Directional Quadtrees (paper, section 5; shared/cdq.h), one per node of the octree. GUIDER_SIZE is
 // their number of bits.
 #ifndef VIGIL_GUIDING_CDQ_GLSL
 #define VIGIL_GUIDING_CDQ_GLSL
@@ -25,190 +25,180 @@ bool guide_border(Guide guide, vec2 uv, float edge) {
 }
 
 #ifdef GUIDE_LEARNS
-// It adds up the squared contributions of the leaf's rays in the leaves of its directional quadtree, to those of earlier rays
+// It adds up the squared contributions of a node's rays in the leaves of its directional quadtree, to those of earlier rays
 // that it remembers, and lets the quadtree's leaves migrate from where they contribute least to where they contribute most
-// (paper, section 5.1).
+// (paper, section 5.1). The field is unfolded for that: a node is known by its slot, at first its bit. Four children are a group of slots,
+// which a migration hands on.
 
-const uint MOST_LANES = 128u;
+const float NO_MOMENT = 3e38;
 
 shared uint sums[CDQ_MOST_BITS];        // squared contributions by leaf, as floats' bits
+shared float moments[CDQ_MOST_BITS];    // of leaves, and of inner nodes above four of them; NO_MOMENT of others
 shared uint first_child[CDQ_MOST_BITS]; // of inner nodes; 0: a leaf
-shared float lane_leaf_sum[MOST_LANES];
-shared float lane_inner_sum[MOST_LANES];
-shared uint lane_leaf[MOST_LANES];
-shared uint lane_inner[MOST_LANES];
+shared uint group_parent[CDQ_MOST_BITS / 4u];
+shared uint group_depth[CDQ_MOST_BITS / 4u];
+shared uint group_slots[CDQ_MOST_BITS / 4u]; // first slot of a group, by its first bit
 
-float sum_of(uint node) { return uintBitsToFloat(sums[node]); }
+float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
 
-/// What a quadtree leaf at `depth` adds to the second moment of its rays, in proportion: its sum over the density with which rays are
-/// drawn there now.
-float moment_of(uint node, uint depth) { return sum_of(node) / (float(1u << (2u * depth)) + settings.even_density); }
+float sum_of(uint slot) { return uintBitsToFloat(sums[slot]); }
 
-void add_sum(uint node, float value) {
-    uint seen = sums[node];
+/// What a quadtree leaf adds to the second moment of its rays, in proportion: its sum over the density with which rays are drawn there
+/// now.
+float leaf_moment(uint slot) { return sum_of(slot) / (float(1u << (2u * group_depth[slot / 4u])) + even_density); }
+
+float inner_moment(uint slot) {
+    const uint child = first_child[slot];
+    if ((first_child[child] | first_child[child + 1u] | first_child[child + 2u] | first_child[child + 3u]) != 0u) return NO_MOMENT;
+    return moments[child] + moments[child + 1u] + moments[child + 2u] + moments[child + 3u];
+}
+
+void unfold(uvec4 tree) {
+    const uvec4 starts = cdq_level_starts(tree, GUIDER_SIZE);
+    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES) {
+        const uint child = cdq_is_inner(tree, node) ? cdq_child(tree, node, 0u) : 0u;
+        first_child[node] = child;
+        if (child != 0u) group_parent[child / 4u] = node;
+        if ((node & 3u) != 0u) continue;
+        group_depth[node / 4u] = cdq_depth(starts, node);
+        group_slots[node / 4u] = node;
+    }
+    if (gl_LocalInvocationID.x == 0u) group_parent[0] = NONE;
+}
+
+/// The slot of a bit.
+uint slot_of(uint node) { return group_slots[node / 4u] + (node & 3u); }
+
+/// The field again, level by level, with the slots of its bits.
+uvec4 fold() {
+    uvec4 tree = uvec4(0u);
+    uint inner_nodes = 0u;
+    for (uint start = 0u, end = 4u; start < end; start = end, end = 4u * (inner_nodes + 1u)) {
+        for (uint first = start; first < end; first += LANES) {
+            const uint node = first + gl_LocalInvocationID.x;
+            const uint child = node < end ? first_child[slot_of(node)] : 0u;
+            const uvec4 inner = subgroupBallot(child != 0u);
+            if (child != 0u) {
+                tree[node >> 5u] |= 1u << (node & 31u);
+                group_slots[inner_nodes + subgroupBallotExclusiveBitCount(inner) + 1u] = child;
+            }
+            inner_nodes += subgroupBallotBitCount(inner);
+        }
+        barrier();
+    }
+    return uvec4(subgroupOr(tree.x), subgroupOr(tree.y), subgroupOr(tree.z), subgroupOr(tree.w));
+}
+
+void add_sum(uint slot, float value) {
+    uint seen = sums[slot];
     for (;;) {
-        const uint before = atomicCompSwap(sums[node], seen, floatBitsToUint(uintBitsToFloat(seen) + value));
+        const uint before = atomicCompSwap(sums[slot], seen, floatBitsToUint(uintBitsToFloat(seen) + value));
         if (before == seen) return;
         seen = before;
     }
 }
 
 /// The quadtree leaf of a cell on the grid of the smallest ones.
-uint find_node(uvec2 grid) {
+uint find_slot(uvec2 grid) {
     uint shift = CDQ_MAX_DEPTH - 1u;
-    uint node = ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u);
-    while (first_child[node] != 0u && shift > 0u) {
+    uint slot = ((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u);
+    while (first_child[slot] != 0u && shift > 0u) {
         shift -= 1u;
-        node = first_child[node] + (((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u));
+        slot = first_child[slot] + (((grid.x >> shift) & 1u) | (((grid.y >> shift) & 1u) << 1u));
     }
-    return node;
+    return slot;
 }
 
-/// Adds up an octree leaf's rays, of `rays` > 0 at most `most`, evenly: lanes that found the same quadtree leaf first among themselves,
-/// then in shared memory.
-void accumulate(uint leaf, uint rays, uint most) {
-    const uint first = old_leaves[leaf_word(LEAF_STORAGE, leaf)];
-    const uint count = min(rays, most);
-    for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
-        const uint ray = ray_samples[first + spread_place(i, rays, count)];
+void accumulate(LeafRays rays) {
+    for (uint i = gl_LocalInvocationID.x; i < rays.count; i += LANES) {
+        const uint ray = ray_samples[ray_word(rays, i)];
         const float contribution = ray_sample_contribution(ray);
-        const uint node = find_node(ray_sample_grid(ray));
-        for (;;) {
-            const uint leader = subgroupBroadcastFirst(node);
-            if (leader != node) continue;
-            const float sum = subgroupAdd(contribution * contribution);
-            if (subgroupElect()) add_sum(node, sum);
-            break;
-        }
+        if (contribution > 0.0) add_sum(find_slot(ray_sample_grid(ray)), contribution * contribution);
     }
 }
 
-/// Looks for the leaf that contributes most and may be split, and for the inner node above leaves that contributes least.
-void search(uvec4 tree, out uint leaf, out uint inner) {
-    const uint lane = gl_LocalInvocationID.x;
+/// Looks for the leaf that contributes most and may be split, and for the inner node above leaves that contributes least. Of equal ones
+/// the lowest slot counts. Returns whether the leaf is worth it.
+bool search(out uint leaf, out uint inner) {
     float most = 0.0;
-    float least = 3e38;
-    uint own_leaf = NONE;
-    uint own_inner = NONE;
-    const uvec4 starts = cdq_level_starts(tree, GUIDER_SIZE);
-    for (uint node = lane; node < GUIDER_SIZE; node += LANES) {
-        const uint child = first_child[node];
-        if (child == 0u) {
-            if (!(sum_of(node) > 0.0)) continue;
-            const uint depth = cdq_depth(starts, node);
-            const float moment = moment_of(node, depth);
-            if (moment > most && depth < CDQ_MAX_DEPTH) {
-                most = moment;
-                own_leaf = node;
-            }
-        } else if ((first_child[child] | first_child[child + 1u] | first_child[child + 2u] | first_child[child + 3u]) == 0u) {
-            float moment = 0.0;
-            const uint depth = cdq_depth(starts, child);
-            for (uint i = 0u; i < 4u; ++i) moment += moment_of(child + i, depth);
+    float least = NO_MOMENT;
+    leaf = NONE;
+    inner = NONE;
+    for (uint slot = gl_LocalInvocationID.x; slot < GUIDER_SIZE; slot += LANES) {
+        const float moment = moments[slot];
+        if (first_child[slot] != 0u) {
             if (moment < least) {
                 least = moment;
-                own_inner = node;
+                inner = slot;
             }
+        } else if (moment > most && group_depth[slot / 4u] < CDQ_MAX_DEPTH) {
+            most = moment;
+            leaf = slot;
         }
     }
-    lane_leaf_sum[lane] = most;
-    lane_leaf[lane] = own_leaf;
-    lane_inner_sum[lane] = least;
-    lane_inner[lane] = own_inner;
-    barrier();
-    for (uint other = 0u; other < LANES; ++other) {
-        if (lane_leaf_sum[other] > most || (lane_leaf_sum[other] == most && lane_leaf[other] < own_leaf)) {
-            most = lane_leaf_sum[other];
-            own_leaf = lane_leaf[other];
-        }
-        if (lane_inner_sum[other] < least || (lane_inner_sum[other] == least && lane_inner[other] < own_inner)) {
-            least = lane_inner_sum[other];
-            own_inner = lane_inner[other];
-        }
+    const float all_most = subgroupMax(most);
+    const float all_least = subgroupMin(least);
+    leaf = subgroupMin(most == all_most ? leaf : NONE);
+    inner = subgroupMin(least == all_least ? inner : NONE);
+    return leaf != NONE && inner != NONE && all_most * settings.margin > all_least;
+}
+
+/// The group below `inner` goes to `leaf`, whose sum goes to its new children in equal parts. For one invocation.
+void migrate(uint inner, uint leaf) {
+    const uint group = first_child[inner];
+    sums[inner] = floatBitsToUint(sum_of(group) + sum_of(group + 1u) + sum_of(group + 2u) + sum_of(group + 3u));
+    first_child[inner] = 0u;
+    moments[inner] = leaf_moment(inner);
+    first_child[leaf] = group;
+    group_parent[group / 4u] = leaf;
+    group_depth[group / 4u] = group_depth[leaf / 4u] + 1u;
+    for (uint slot = group; slot < group + 4u; ++slot) {
+        sums[slot] = floatBitsToUint(0.25 * sum_of(leaf));
+        moments[slot] = leaf_moment(slot);
     }
-    barrier();
-    leaf = own_leaf;
-    inner = own_inner;
-    // The leaf must be worth it.
-    if (leaf == NONE || inner == NONE || !(most * settings.margin > least)) leaf = NONE;
+    moments[leaf] = inner_moment(leaf);
+    const uint above_inner = group_parent[inner / 4u];
+    if (above_inner != NONE) moments[above_inner] = inner_moment(above_inner);
+    const uint above_leaf = group_parent[leaf / 4u];
+    if (above_leaf != NONE) moments[above_leaf] = NO_MOMENT;
 }
 
-void find_children(uvec4 tree) {
-    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES)
-        first_child[node] = cdq_is_inner(tree, node) ? cdq_child(tree, node, 0u) : 0u;
-}
-
-/// Brings the sums to the tree after a migration: the leaf's goes to its new children in equal parts.
-void move_sums(uvec4 tree, uint inner, uint leaf) {
-    const uint removed = first_child[inner];
-    const float inner_sum = sum_of(removed) + sum_of(removed + 1u) + sum_of(removed + 2u) + sum_of(removed + 3u);
-    const uint inserted = cdq_child(tree, leaf > removed ? leaf - 4u : leaf, 0u);
-    const float part = 0.25 * sum_of(leaf);
-    // A lane has GUIDER_SIZE / LANES nodes, and work groups have 4 lanes at least.
-    float moved[32];
-    uint count = 0u;
-    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES) {
-        float value = part;
-        if (node < inserted || node >= inserted + 4u) {
-            uint old = node >= inserted + 4u ? node - 4u : node;
-            old += old >= removed ? 4u : 0u;
-            value = old == inner ? inner_sum : sum_of(old);
-        }
-        moved[count++] = value;
-    }
-    barrier();
-    count = 0u;
-    for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES) sums[node] = floatBitsToUint(moved[count++]);
-}
-
-/// Lets the quadtree of an octree leaf with `own_rays` > 0 follow them. Of very many rays it takes some, evenly.
-void guide_learn(uint octree_leaf_index, uint own_rays) {
+/// Lets the quadtree of an octree node follow the rays of its leaves, and earlier ones, the less the more new ones there are.
+void guide_learn(uint octree_node_index, uint rays) {
     const uint lane = gl_LocalInvocationID.x;
-    const uint words = leaf_word(LEAF_GUIDE, octree_leaf_index);
-    uvec4 tree = uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]);
-
-    // The few rays of one leaf and frame say too little about a hundred directions. Those of its neighbours count as well, one face after
-    // the other until there are enough, and those of earlier frames, the less the more new ones there are.
-    uint rays = own_rays;
-    uint faces = 0u;
-    for (; faces < 6u && rays < settings.memory_rays; ++faces) {
-        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, octree_leaf_index) + faces];
-        if (neighbour != NONE) rays += stored_rays(neighbour);
-    }
+    const uint words = node_word(NODE_GUIDE, octree_node_index);
+    even_density = cdq_even_density(GUIDER_SIZE, 1.0 - guided_share(octree_node_index));
     const float kept = guide_kept(settings, rays);
-    const uint memory = leaf_word(guide_memory(CDQ_SUM_WORDS), octree_leaf_index);
+    const uint memory = node_word(guide_memory(CDQ_SUM_WORDS), octree_node_index);
     for (uint node = lane; node < GUIDER_SIZE; node += LANES)
         sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
-    find_children(tree);
+    unfold(uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]));
     barrier();
-    accumulate(octree_leaf_index, own_rays, CDQ_MOST_RAYS);
-    for (uint face = 0u; face < faces; ++face) {
-        const uint neighbour = old_leaves[leaf_word(LEAF_NEIGHBOURS, octree_leaf_index) + face];
-        const uint more = neighbour == NONE ? 0u : stored_rays(neighbour);
-        if (more > 0u) accumulate(neighbour, more, CDQ_MOST_NEIGHBOUR_RAYS);
-    }
+    for (uint child = 0u; child < 8u; ++child) accumulate(leaf_rays(octree_node_index, child));
+    barrier();
+    for (uint slot = lane; slot < GUIDER_SIZE; slot += LANES)
+        if (first_child[slot] == 0u) moments[slot] = leaf_moment(slot);
+    barrier();
+    for (uint slot = lane; slot < GUIDER_SIZE; slot += LANES)
+        if (first_child[slot] != 0u) moments[slot] = inner_moment(slot);
     barrier();
     uint migrated = 0u;
-    for (; migrated < settings.migrations; ++migrated) {
-        uint leaf;
-        uint inner;
-        search(tree, leaf, inner);
-        if (leaf == NONE) break;
-        const uvec4 after = cdq_migrate(tree, inner, leaf);
-        if (migrated + 1u < settings.migrations || settings.memory_words > 0u) {
-            move_sums(after, inner, leaf);
-            barrier();
-            find_children(after);
-            barrier();
+    uint leaf;
+    uint inner;
+    while (migrated < settings.migrations && search(leaf, inner)) {
+        ++migrated;
+        if (lane == 0u) migrate(inner, leaf);
+        barrier();
+    }
+    if (migrated > 0u) {
+        const uvec4 tree = fold();
+        if (lane == 0u) {
+            for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = tree[word];
+            atomicAdd(work.cdq_migrations, migrated);
         }
-        tree = after;
     }
     for (uint word = lane; word < min(settings.memory_words, GUIDER_SIZE / 2u); word += LANES)
-        old_leaves[memory + word] = pack_sums(min(sum_of(2u * word), 1e37), min(sum_of(2u * word + 1u), 1e37));
-    if (lane == 0u && migrated > 0u) {
-        for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = tree[word];
-        atomicAdd(work.cdq_migrations, migrated);
-    }
+        old_leaves[memory + word] = pack_sums(min(sum_of(slot_of(2u * word)), 1e37), min(sum_of(slot_of(2u * word + 1u)), 1e37));
 }
 #endif
 

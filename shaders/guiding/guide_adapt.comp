@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `guide_adapt`: one work group, of one subgroup, per old leaf with samples. The leaf's guider learns from the rays
-// that brought light. Compiled once per guider.
+// Pass `guide_adapt`: one work group, of one subgroup, per old node whose leaves have ray samples. Its guider learns from them, and how large a
+// part of the rays it should draw. Compiled once per guider.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -12,14 +12,57 @@ layout(local_size_x_id = CONSTANT_GROUP_SIZE) in;
 layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u;
 const uint LANES = gl_WorkGroupSize.x;
 
-/// Rays that an octree leaf has stored.
-uint stored_rays(uint leaf) { return min(old_leaves[leaf_word(LEAF_RAYS, leaf)], old_leaves[leaf_word(LEAF_STORAGE, leaf) + 1u]); }
+/// The rays of one leaf that a guider looks at: of very many some, evenly.
+struct LeafRays {
+    uint first; // stored one
+    uint stored;
+    uint count;
+};
+
+/// None of a child that is an inner node.
+LeafRays leaf_rays(uint node, uint child) {
+    const uint leaf = octree_leaf(node, child);
+    if (!octree_is_leaf(old_nodes[node], child)) return LeafRays(0u, 0u, 0u);
+    const uint stored = stored_rays(leaf);
+    return LeafRays(old_leaves[leaf_word(LEAF_STORAGE, leaf)], stored, min(stored, GUIDE_MOST_RAYS));
+}
+
+/// First word of one of them.
+uint ray_word(LeafRays rays, uint i) { return RAY_SAMPLE_WORDS * (rays.first + spread_place(i, rays.stored, rays.count)); }
+
+/// Part of a node's rays that its guider drew.
+float guided_share(uint node) {
+    return settings.adapt_share != 0u ? share_of(load_share(node), settings.first_share) : settings.first_share;
+}
 
 #define GUIDE_LEARNS
 #include "guiding/guider.glsl"
 
+/// How well the BRDF and the guider drew a node's rays, of which there are `rays` > 0.
+void learn_share(uint node, uint rays) {
+    vec2 sums = vec2(0.0); // of the BRDF, of the guider
+    for (uint child = 0u; child < 8u; ++child) {
+        const LeafRays own = leaf_rays(node, child);
+        for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
+            const uint word = ray_samples[ray_word(own, i) + 1u];
+            const float part = unpack_sum(word, 1u);
+            sums += unpack_sum(word, 0u) * vec2(1.0 - part, part);
+        }
+    }
+    sums = min(subgroupAdd(sums), EXPLORE_LARGEST_SUM);
+    if (!subgroupElect()) return;
+    const uvec2 memory =
+        share_pack(share_update(load_share(node), guide_kept(settings, rays), float(rays), sums.x, sums.y, settings.first_share));
+    const uint words = node_word(NODE_SHARE, node);
+    old_leaves[words] = memory.x;
+    old_leaves[words + 1u] = memory.y;
+}
+
 void main() {
-    const uint leaf = leaf_lists[gl_WorkGroupID.x];
-    const uint rays = stored_rays(leaf);
-    if (rays > 0u) guide_learn(leaf, rays);
+    const uint node = lists[guide_entry(gl_WorkGroupID.x)];
+    uint rays = 0u;
+    for (uint child = 0u; child < 8u; ++child) rays += leaf_rays(node, child).stored;
+    if (rays == 0u) return;
+    guide_learn(node, rays);
+    if (settings.adapt_share != 0u) learn_share(node, rays);
 }

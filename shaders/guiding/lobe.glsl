@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Guider `lobe`: one lobe per leaf of the octree, around the mean direction m (unit) of what rays brought. Its density is
+// Guider `lobe`: one lobe per node of the octree, around the mean direction m (unit) of what rays brought. Its density is
 // (n + 1) / 4 pi * ((1 + m.w) / 2)^n. The mean of m.w is then n / (n + 2), so that a mean vector of length r asks for
 // n = 2 r / (1 - r). Without rays n is 0: all directions alike.
 #ifndef VIGIL_GUIDING_LOBE_GLSL
@@ -47,20 +47,21 @@ bool guide_border(Guide guide, vec2 uv, float edge) { return false; }
 
 #ifdef GUIDE_LEARNS
 /// Directions weigh by what they contribute to the square of the estimate.
-void guide_learn(uint leaf, uint own_rays) {
-    const uint first = old_leaves[leaf_word(LEAF_STORAGE, leaf)];
-    const uint count = min(own_rays, CDQ_MOST_RAYS);
+void guide_learn(uint node, uint rays) {
     vec4 sums = vec4(0.0);
-    for (uint i = gl_LocalInvocationID.x; i < count; i += LANES) {
-        const uint ray = ray_samples[first + spread_place(i, own_rays, count)];
-        const float contribution = ray_sample_contribution(ray);
-        const vec2 uv = (vec2(ray_sample_grid(ray)) + 0.5) / float(1u << CDQ_MAX_DEPTH);
-        sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);
+    for (uint child = 0u; child < 8u; ++child) {
+        const LeafRays own = leaf_rays(node, child);
+        for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
+            const uint ray = ray_samples[ray_word(own, i)];
+            const float contribution = ray_sample_contribution(ray);
+            const vec2 uv = (vec2(ray_sample_grid(ray)) + 0.5) / float(1u << CDQ_MAX_DEPTH);
+            sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);
+        }
     }
     sums = subgroupAdd(sums);
     if (!subgroupElect()) return;
-    const uint words = leaf_word(LEAF_GUIDE, leaf);
-    const float kept = guide_kept(settings, own_rays);
+    const uint words = node_word(NODE_GUIDE, node);
+    const float kept = guide_kept(settings, rays);
     for (uint word = 0u; word < 4u; ++word) {
         const float sum = kept * uintBitsToFloat(old_leaves[words + word]) + sums[word];
         old_leaves[words + word] = floatBitsToUint(clamp(sum, -1e37, 1e37));

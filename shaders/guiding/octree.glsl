@@ -56,17 +56,26 @@ void store_light_sample(uint leaf, uint light_sample) {
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
 void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u); }
 
-/// Stores what a ray contributed, if it did and the leaf has room.
-void store_ray_sample(uint leaf, uvec2 grid, float contribution) {
-    if (!(contribution > 0.0)) return;
+/// Stores a ray sample, if the leaf has room; counts it in any case.
+void store_ray_sample(uint leaf, uvec2 ray_sample) {
     const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, leaf)], 1u);
     const uint storage = leaf_word(LEAF_STORAGE, leaf);
     if (number >= leaves[storage + 1u]) return;
-    ray_samples[leaves[storage] + number] = ray_sample_pack(grid, contribution);
+    const uint first = RAY_SAMPLE_WORDS * (leaves[storage] + number);
+    ray_samples[first] = ray_sample.x;
+    ray_samples[first + 1u] = ray_sample.y;
 }
 
-uvec4 load_guide(uint leaf) {
-    const uint first = leaf_word(LEAF_GUIDE, leaf);
+uint node_word(NodeArray array, uint node) { return node_array_word(array, node, guiding.node_capacity); }
+
+ShareMemory load_share(uint node) {
+    const uint first = node_word(NODE_SHARE, node);
+    return share_unpack(uvec2(leaves[first], leaves[first + 1u]));
+}
+
+/// What a node's guider draws by.
+uvec4 load_guide(uint node) {
+    const uint first = node_word(NODE_GUIDE, node);
     return uvec4(leaves[first], leaves[first + 1u], leaves[first + 2u], leaves[first + 3u]);
 }
 

@@ -1,7 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `octree_augment`, step 4 of the octree (paper, section 6.2, "augment" and "populate"): one invocation per child of a new node fills in its leaf: the
-// old leaf it comes from, whose cache it takes over, the neighbours beyond its faces, and room for samples.
+// old leaf it comes from, whose cache it takes over, the neighbours beyond its faces, and room for samples. A node takes over what its guider
+// knows.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
@@ -51,10 +52,14 @@ uint find_neighbour(OctreeCell cell, uint face) {
     return descent.leaf;
 }
 
-/// The words that a leaf has of its source.
+/// The words that a leaf, or a node, has of its source.
 void carry(LeafArray array, uint leaf, uint source) {
     for (uint word = 0u; word < array.words; ++word)
         new_leaves[leaf_word(array, leaf) + word] = old_leaves[leaf_word(array, source) + word];
+}
+void carry(NodeArray array, uint node, uint source) {
+    for (uint word = 0u; word < array.words; ++word)
+        new_leaves[node_word(array, node) + word] = old_leaves[node_word(array, source) + word];
 }
 
 void zero(LeafArray array, uint leaf) {
@@ -93,6 +98,15 @@ void main() {
     barrier();
     if (gl_LocalInvocationID.x == 0u) group_first = atomicAdd(work.sample_used, group_room);
     barrier();
+    if (settings.guided != 0u && node < new_node_count && child == 0u) {
+        const uint marked = plan[plan_source(node)];
+        const uint source = (marked & SOURCE_SPLIT) != 0u ? octree_node_of(marked & ~SOURCE_SPLIT) : marked;
+        carry(NODE_GUIDE, node, source);
+        const ShareMemory share = load_share(source);
+        const uvec2 words = share_pack((marked & SOURCE_SPLIT) != 0u ? share_of_part(share) : share);
+        for (uint word = 0u; word < NODE_SHARE.words; ++word) new_leaves[node_word(NODE_SHARE, node) + word] = words[word];
+        carry(guide_memory(settings.memory_words), node, source);
+    }
     if (!is_leaf) return;
 
     const uint first = min(group_first + before, header.sample_capacity);
@@ -102,7 +116,6 @@ void main() {
 
     const uint source = marked_source & ~SOURCE_SPLIT;
     LEAF_ARRAY_TABLE(FILL_ARRAY)
-    carry(guide_memory(settings.memory_words), leaf, source);
     new_leaves[leaf_word(LEAF_SOURCE, leaf)] = marked_source;
 
     const OctreeCell cell = octree_child_cell(octree_unpack_cell(new_cells[node]), child);

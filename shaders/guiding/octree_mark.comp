@@ -1,8 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `octree_mark`, step 1 of the octree (paper, section 6.2, "mark"): one invocation per old node decides which of its leaves are split and
-// whether it collapses, and how many samples its leaves are to expect in the new tree. It also lists the leaves that have samples, and those whose
-// cache is made: they have samples, or had a cache.
+// whether it collapses, and how many samples its leaves are to expect in the new tree. It also lists the leaves that have samples, those whose
+// cache is made (they have samples, or had a cache), and the nodes whose leaves have rays.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
@@ -18,6 +18,7 @@ void main() {
     uint marks = 0u;
     uint sum = 0u;
     uint demand = 0u;
+    bool rays = false;
     for (uint child = 0u; child < 8u; ++child) {
         if (!octree_is_leaf(node, child)) continue;
         const uint leaf = octree_leaf(index, child);
@@ -26,15 +27,16 @@ void main() {
         const bool splits = count > settings.split && depth + 1u < OCTREE_MAX_DEPTH;
         if (splits) marks |= 1u << child;
         demand += splits ? 8u * demand_of_part(count) : count;
+        rays = rays || stored_rays(leaf) > 0u;
         // List it for the caches.
         if (count > 0u) {
-            leaf_lists[atomicAdd(work.deduplicate_groups.x, 1u)] = leaf;
+            lists[deduplicate_entry(atomicAdd(work.deduplicate_groups.x, 1u))] = leaf;
             const uint room = old_leaves[leaf_word(LEAF_STORAGE, leaf) + 1u];
             if (count > room) atomicAdd(work.dropped, count - room);
         }
-        if (count > 0u || old_leaves[leaf_word(LEAF_VLC, leaf) + 1u] > 0u)
-            leaf_lists[leaf_capacity() + atomicAdd(work.merge_groups.x, 1u)] = leaf;
+        if (count > 0u || old_leaves[leaf_word(LEAF_VLC, leaf) + 1u] > 0u) lists[merge_entry(atomicAdd(work.merge_groups.x, 1u))] = leaf;
     }
+    if (rays) lists[guide_entry(atomicAdd(work.guide_groups.x, 1u))] = index;
     if (index > 0u && (node & MARK_SPLITS) == OCTREE_ALL_LEAVES && sum < settings.collapse) {
         marks = MARK_COLLAPSES;
         demand = sum;

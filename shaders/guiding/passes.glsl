@@ -26,8 +26,8 @@ layout(set = 0, binding = BINDING_PASS_NEW_LEAVES, scalar) restrict buffer NewLe
 layout(set = 0, binding = BINDING_PASS_PLAN, scalar) restrict coherent buffer PlanBlock { uint plan[]; };
 layout(set = 0, binding = BINDING_PASS_SAMPLES, scalar) restrict buffer SampleBlock { uint light_samples[]; };
 layout(set = 0, binding = BINDING_PASS_NEW_CACHES, scalar) restrict writeonly buffer VlcBlock { uint vlc_lights[]; };
-// Old leaves to work on: those to deduplicate, then, from leaf_capacity() on, those to merge.
-layout(set = 0, binding = BINDING_PASS_LISTS, scalar) restrict buffer ListBlock { uint leaf_lists[]; };
+// What to work on: old leaves to deduplicate, old leaves to merge, old nodes whose guider learns.
+layout(set = 0, binding = BINDING_PASS_LISTS, scalar) restrict buffer ListBlock { uint lists[]; };
 layout(set = 0, binding = BINDING_PASS_WORK, scalar) restrict buffer WorkBlock { GuidingWork work; };
 
 layout(set = 0, binding = BINDING_PASS_OLD_CACHES, scalar) restrict buffer OldVlcBlock { uint old_caches[]; };
@@ -39,6 +39,21 @@ layout(push_constant, scalar) uniform SettingsBlock { GuidingSettings settings; 
 uint leaf_capacity() { return 8u * header.node_capacity; }
 
 uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, header.node_capacity); }
+
+// Words of the lists' entries.
+uint deduplicate_entry(uint i) { return i; }
+uint merge_entry(uint i) { return leaf_capacity() + i; }
+uint guide_entry(uint i) { return 2u * leaf_capacity() + i; }
+
+uint node_word(NodeArray array, uint node) { return node_array_word(array, node, header.node_capacity); }
+
+/// Rays that an old leaf has stored.
+uint stored_rays(uint leaf) { return min(old_leaves[leaf_word(LEAF_RAYS, leaf)], old_leaves[leaf_word(LEAF_STORAGE, leaf) + 1u]); }
+
+ShareMemory load_share(uint node) {
+    const uint words = node_word(NODE_SHARE, node);
+    return share_unpack(uvec2(old_leaves[words], old_leaves[words + 1u]));
+}
 
 uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)]; }
 

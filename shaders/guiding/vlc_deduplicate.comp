@@ -75,7 +75,7 @@ void remember_draws(uint leaf) {
 
 void main() {
     const uint lane = gl_LocalInvocationID.x;
-    const uint leaf = leaf_lists[gl_WorkGroupID.x];
+    const uint leaf = lists[deduplicate_entry(gl_WorkGroupID.x)];
     const uint storage = leaf_word(LEAF_STORAGE, leaf);
     const uint first = old_leaves[storage];
     const uint kept = min(old_leaf_count(leaf), old_leaves[storage + 1u]);

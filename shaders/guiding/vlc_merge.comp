@@ -124,7 +124,7 @@ void write_bucket_words(uint words, uint buckets, uint words_before, uint bucket
 
 void main() {
     const uint lane = gl_LocalInvocationID.x;
-    const uint leaf = leaf_lists[leaf_capacity() + gl_WorkGroupID.x];
+    const uint leaf = lists[merge_entry(gl_WorkGroupID.x)];
     const uint cache = leaf_word(LEAF_VLC, leaf);
     const uint buckets_before = old_leaves[cache + 1u];
     const uint lights_before = settings.persist > 0u ? old_leaves[leaf_word(LEAF_CACHED, leaf)] : 0u;

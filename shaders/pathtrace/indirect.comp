@@ -8,10 +8,13 @@
 #include "pathtrace/path.glsl"
 #include "pathtrace/indirect_ray.glsl"
 
-void learn_direction(Guided guided, vec3 brought) {
+/// `weight` is what the ray's radiance is multiplied with.
+void learn_direction(Guided guided, vec3 weight, vec3 brought) {
+    if (GUIDES == 0 || path_index != 0u) return;
     // Brighter than a sample can say is as bright as it can.
-    if (GUIDES != 0 && path_index == 0u)
-        store_ray_sample(guided.leaf, guided.grid, finite_or_zero(min(luminance(brought), 1e15) * inversesqrt(guided.pdf)));
+    const float estimate = min(luminance(finite_or_zero(weight * brought)), 1e15);
+    const float contribution = guided.pdf > 0.0 ? finite_or_zero(estimate * sqrt(guided.pdf)) : 0.0;
+    store_ray_sample(guided.leaf, uvec2(ray_sample_pack(guided.grid, contribution), pack_sums(estimate * estimate, guided.part)));
 }
 
 /// `light` is what was drawn where the first ray ended.
@@ -21,6 +24,7 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
     vec3 throughput = vec3(1.0);
     // Of the first ray: what it brings grows with what the second finds.
     Guided first;
+    vec3 first_weight = vec3(0.0);
     vec3 first_brought = vec3(0.0);
     bool sent = false;
     const int bounces = frame.settings.pt_bounces;
@@ -30,7 +34,10 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
         Ray ray;
         vec3 weight;
         Guided guided;
-        if (!scatter(surface, random, weight, ray, guided)) break;
+        if (!scatter(surface, random, weight, ray, guided)) {
+            learn_direction(guided, weight, vec3(0.0));
+            break;
+        }
         throughput *= weight;
         const bool lit = depth < bounces;
         const RayEnd end =
@@ -39,17 +46,18 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
         // Learn from it.
         if (depth == 0) {
             first = guided;
+            first_weight = weight;
             first_brought = end.taught;
             sent = true;
             light = end.light;
         } else {
             first_brought += weight * end.taught;
-            learn_direction(guided, end.taught);
+            learn_direction(guided, weight, end.taught);
         }
         if (!end.goes_on) break;
         surface = end.surface;
     }
-    if (sent) learn_direction(first, first_brought);
+    if (sent) learn_direction(first, first_weight, first_brought);
     return gathered;
 }
 

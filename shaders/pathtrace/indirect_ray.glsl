@@ -24,6 +24,7 @@ struct Guided {
     uvec2 grid;     // cell of its direction
     float pdf;      // per steradian
     float brdf_pdf; // the same if the BRDF had drawn it
+    float part;     // of the density that is the guider's
 };
 
 /// Radiance that a ray from `surface` collects from what it runs into, without what next event estimation covers.
@@ -58,14 +59,18 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
     return drawn.direction;
 #else
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
-    const Guide guide = guide_prepare(load_guide(found.cache));
-    const float brdf_part = frame.settings.pt_cdq_brdf;
+    const uint node = octree_node_of(found.cache);
+    const Guide guide = guide_prepare(load_guide(node));
+    const float first_share = 1.0 - frame.settings.pt_cdq_brdf;
+    const float share = frame.settings.pt_cdq_adapt != 0 ? share_of(load_share(node), first_share) : first_share;
     vec3 direction;
-    if (random_next(random) < brdf_part) direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
-    else direction = guide_sample(guide, u);
+    if (random_next(random) < share) direction = guide_sample(guide, u);
+    else direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
     seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
     guided.brdf_pdf = seen.pdf;
-    seen.pdf = guide_mixture_pdf(guide_pdf(guide, direction), seen.pdf, brdf_part);
+    const float density = guide_pdf(guide, direction);
+    seen.pdf = guide_mixture_pdf(density, seen.pdf, 1.0 - share);
+    guided.part = seen.pdf > 0.0 ? min(share * density / seen.pdf, 1.0) : 0.0;
     guided.leaf = found.samples;
     guided.grid = ray_sample_cell(direction);
     guided.pdf = seen.pdf;

@@ -9,8 +9,8 @@
 // clang-format off
 #define VIGIL_GUIDER_TABLE(ROW) \
     ROW(brdf, "No guiding: the surface's BRDF alone.") \
-    ROW(cdq, "Quadtrees of directions that brought light, one per leaf of the octree.") \
-    ROW(lobe, "One lobe per leaf of the octree, around the directions that brought light. A baseline.")
+    ROW(cdq, "Quadtrees of directions that brought light, one per node of the octree.") \
+    ROW(lobe, "One lobe per node of the octree, around the directions that brought light. A baseline.")
 // clang-format on
 
 #ifdef __cplusplus

@@ -43,15 +43,29 @@ struct LeafArray {
     ROW(LEAF_SOURCE, 1u, LEAF_NEIGHBOURS, 0u, LEAF_MADE) /* its source; SOURCE_SPLIT: it is a part of that */ \
     ROW(LEAF_CACHED, 1u, LEAF_SOURCE, 0u, LEAF_CARRIED) /* lights in the cache */ \
     ROW(LEAF_RAYS, 1u, LEAF_CACHED, 0u, LEAF_ZEROED) /* ray samples that fell into the leaf */ \
-    ROW(LEAF_GUIDE, 4u, LEAF_RAYS, 0u, LEAF_CARRIED) /* what rays are drawn by: the guider's business */ \
-    ROW(LEAF_EXPLORE, 2u, LEAF_GUIDE, 0u, LEAF_CARRIED) /* ExploreMemory */
+    ROW(LEAF_EXPLORE, 2u, LEAF_RAYS, 0u, LEAF_CARRIED) /* ExploreMemory */
 // clang-format on
 SHADER_CONST LeafArray LEAF_BEGIN = LeafArray(0u, 0u);
 #define LEAF_CONSTANT(name, width, before, value, new_leaf) SHADER_CONST LeafArray name = LeafArray(before.first + before.words, width);
 LEAF_ARRAY_TABLE(LEAF_CONSTANT)
 #undef LEAF_CONSTANT
-/// Words of a leaf altogether, but for its guider's memory (guide_memory), which is carried.
+/// Words of a leaf altogether.
 SHADER_CONST uint LEAF_WORDS = LEAF_EXPLORE.first + LEAF_EXPLORE.words;
+
+/// Arrays by inner node, after those by leaf: what a guider keeps for the leaves of a node together. One of them alone has
+/// too few rays. A new node has what its source has: the old node that it was, or that held the leaf.
+struct NodeArray {
+    uint first; // the array begins at word first * number of nodes after the leaves
+    uint words; // of a node
+#ifdef __cplusplus
+    constexpr NodeArray(uint from, uint width) : first(from), words(width) {}
+#endif
+};
+SHADER_CONST NodeArray NODE_GUIDE = NodeArray(0u, 4u); // what rays are drawn by: the guider's business
+SHADER_CONST NodeArray NODE_SHARE = NodeArray(4u, 2u); // ShareMemory
+/// Words of a node, but for what the guider remembers beyond them.
+SHADER_CONST uint NODE_WORDS = 6u;
+SHADER_FN NodeArray guide_memory(uint words) { return NodeArray(NODE_WORDS, words); }
 
 /// With the number of an old leaf, where a new node or leaf comes from: the old leaf was split.
 SHADER_CONST uint SOURCE_SPLIT = 0x80000000u;
@@ -69,8 +83,10 @@ SHADER_FN uint leaf_array_word(LeafArray array, uint leaf, uint node_capacity) {
     return array.first * (8u * node_capacity) + array.words * leaf;
 }
 
-/// The array after the table's: what a guider remembers beyond LEAF_GUIDE.
-SHADER_FN LeafArray guide_memory(uint words) { return LeafArray(LEAF_WORDS, words); }
+/// Index of a node's first word in an array.
+SHADER_FN uint node_array_word(NodeArray array, uint node, uint node_capacity) {
+    return (8u * LEAF_WORDS + array.first) * node_capacity + array.words * node;
+}
 
 /// A light sample: light id, how it was drawn, what a draw of a walk estimates (a power of two), and one bit if the
 /// surface saw the light.
@@ -191,9 +207,73 @@ SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float
     return memory;
 }
 
-/// A ray sample, 4 bytes: the cell of its direction on the grid of the smallest quadtree leaves,
-/// and what it contributed, in quarters of a power of two from 2^-32 to 2^31.75: off by 9.1% at most in
-/// between, and cut off beyond. It decides where to look, never how bright anything is.
+/// What rays estimated, in running sums, and what follows from it: `share` of the rays should be drawn by the guider.
+///
+/// A ray's estimate is what it brings, times BRDF and cosine, over the density q = (1 - a) b + a g of the mixture. Its square x is a
+/// part of the second moment; the parts that x has of the BRDF and of the guider are (1 - a) b / q and a g / q. Where
+/// the two look into different directions, the sums `plain` of (1 - a) times the one and `guided` of a times the other
+/// estimate the second moments that each would have alone there, and the sum of both is least for a / (1 - a) =
+/// sqrt(guided / plain). Where they overlap the same holds at the least second moment, whose derivative by a is 0.
+struct ShareMemory {
+    float plain;
+    float guided;
+    float rays; // that the sums are of
+    float share;
+};
+/// Rare rays that bring much are seen late: the BRDF keeps a quarter.
+SHADER_CONST float SHARE_LEAST = 0.1f;
+SHADER_CONST float SHARE_MOST = 0.75f;
+/// Rays that the share at the start counts for.
+SHADER_CONST float SHARE_DOUBT = 32.0f;
+/// How fast sums fade, beside what the guider learned: single rays decide them.
+SHADER_CONST float SHARE_PACE = 0.25f;
+
+SHADER_FN ShareMemory share_unpack(uvec2 words) {
+    ShareMemory memory;
+    memory.plain = unpack_sum(words.x, 0u);
+    memory.guided = unpack_sum(words.x, 1u);
+    memory.rays = unpack_sum(words.y, 0u);
+    memory.share = unpack_sum(words.y, 1u);
+    return memory;
+}
+
+SHADER_FN uvec2 share_pack(ShareMemory memory) {
+    return uvec2(pack_sums(memory.plain, memory.guided), pack_sums(memory.rays, memory.share));
+}
+
+/// Part of the rays that the guider draws; `first` is that of a node without experience.
+SHADER_FN float share_of(ShareMemory memory, float first) { return memory.rays > 0.0f ? memory.share : first; }
+
+/// What the parts of a leaf that is split begin with: its share. The sums are of other places, maybe much brighter ones.
+SHADER_FN ShareMemory share_of_part(ShareMemory memory) {
+    ShareMemory part;
+    part.plain = 0.0f;
+    part.guided = 0.0f;
+    part.rays = min(memory.rays, 1.0f);
+    part.share = memory.share;
+    return part;
+}
+
+/// The memory after a frame with `rays` > 0 rays. `plain` and `guided` are the sums of the two parts of their x, `guide_kept` is the part
+/// of earlier knowledge that the guider keeps.
+SHADER_FN ShareMemory share_update(ShareMemory memory, float guide_kept, float rays, float plain, float guided, float first) {
+    const float kept = 1.0f - SHARE_PACE * (1.0f - guide_kept);
+    const float used = share_of(memory, first);
+    memory.plain = min(kept * memory.plain + (1.0f - used) * plain, EXPLORE_LARGEST_SUM);
+    memory.guided = min(kept * memory.guided + used * guided, EXPLORE_LARGEST_SUM);
+    memory.rays = kept * memory.rays + rays;
+    const float part = sqrt(memory.guided);
+    const float all = part + sqrt(memory.plain);
+    const float best = all > 0.0f ? part / all : first;
+    memory.share = clamp(mix(first, best, memory.rays / (memory.rays + SHARE_DOUBT)), SHARE_LEAST, SHARE_MOST);
+    return memory;
+}
+
+/// The first word of a ray sample: the cell of its direction on the grid of the smallest quadtree leaves,
+/// and what it contributed, in quarters of a power of two from 2^-31.75 to 2^31.75: off by 9.1% at most in
+/// between, 0 below, and cut off beyond. It decides where to look, never how bright anything is. The second word
+/// is two halves (pack_sums): the square of its estimate, and the guider's part in its density.
+SHADER_CONST uint RAY_SAMPLE_WORDS = 2u;
 SHADER_FN uint ray_sample_pack(uvec2 grid, float contribution) {
     const float least = contribution > 1e-30f ? contribution : 1e-30f; // also of what is no number
     const float steps = clamp(4.0f * log2(least) + 128.5f, 0.0f, 255.0f);
@@ -205,17 +285,19 @@ SHADER_FN uvec2 ray_sample_cell(vec3 direction) { return uvec2(octahedral_encode
 
 SHADER_FN uvec2 ray_sample_grid(uint packed_sample) { return uvec2(packed_sample & 0xfffu, (packed_sample >> 12u) & 0xfffu); }
 
-SHADER_FN float ray_sample_contribution(uint packed_sample) { return exp2(0.25f * (float(packed_sample >> 24u) - 128.0f)); }
+SHADER_FN float ray_sample_contribution(uint packed_sample) {
+    const uint steps = packed_sample >> 24u;
+    return steps == 0u ? 0.0f : exp2(0.25f * (float(steps) - 128.0f));
+}
 
 /// A leaf's samples beyond this many are passed over, evenly: as many as make a leaf split at 1920
 /// x 1080 pixels. Also, llvmpipe silently ends all loops of an invocation after 65,535 rounds
 /// together: each of the VLC_LEAST_LANES puts at most 512 of a leaf's samples, or 896 lights of it
 /// and its neighbours, into buckets of at most 64 slots.
 SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
-/// The same for a leaf's ray samples, for the same reasons: each lane of a subgroup of four looks
+/// The same for a leaf's ray samples, for the same reasons: of a node's eight leaves each lane of a subgroup of four looks
 /// at 1,024, and finding a quadtree's leaf takes 11 rounds at most.
-SHADER_CONST uint CDQ_MOST_RAYS = 4096u;
-SHADER_CONST uint CDQ_MOST_NEIGHBOUR_RAYS = 512u; // of each of the six
+SHADER_CONST uint GUIDE_MOST_RAYS = 512u;
 /// Invocations of the work groups that make caches: a subgroup, but no fewer than these.
 SHADER_CONST uint VLC_LEAST_LANES = 8u;
 /// The hash table in shared memory: light ids, and buckets (ids with equal remainder).
@@ -229,18 +311,20 @@ SHADER_FN uint spread_place(uint i, uint kept, uint taken) { return i * (kept / 
 
 /// Push constants of all passes.
 struct GuidingSettings {
-    uint split;         // a leaf with more samples is split
-    uint collapse;      // an inner node of eight leaves that have fewer together is collapsed
-    uint bucket;        // most lights in a bucket
-    uint small_bucket;  // the same where buckets would get fewer than in the frame before (hysteresis)
-    uint merge_faces;   // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
-    uint weigh;         // 1: buckets are drawn by what their draws brought; 0: evenly
-    uint persist;       // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
-    uint migrations;    // of a directional quadtree in a frame, at most
-    float margin;       // how far a migration must pay off
-    uint memory_rays;   // a guider follows about so many of a leaf's last rays; 0: those of the last frame
-    float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
-    uint memory_words;  // of the guider, per leaf; 0 without memory
+    uint split;        // a leaf with more samples is split
+    uint collapse;     // an inner node of eight leaves that have fewer together is collapsed
+    uint bucket;       // most lights in a bucket
+    uint small_bucket; // the same where buckets would get fewer than in the frame before (hysteresis)
+    uint merge_faces;  // bit i: caches take over the lights of their neighbours beyond face i (LEAF_NEIGHBOURS)
+    uint weigh;        // 1: buckets are drawn by what their draws brought; 0: evenly
+    uint persist;      // frames that a light stays in a cache after it was seen, at most VLC_OLDEST
+    uint migrations;   // of a directional quadtree in a frame, at most
+    float margin;      // how far a migration must pay off
+    uint guided;       // 1: a guider draws rays
+    uint memory_rays;  // it follows about so many of a node's last rays; 0: those of the last frame
+    float first_share; // of guided rays, where nothing is known
+    uint adapt_share;  // 1: their share follows what rays estimated
+    uint memory_words; // of the guider, per node; 0 without memory
 };
 
 /// Density of directions of which `other_part` are drawn with the density `other`, the rest with that of the guider.
@@ -264,8 +348,9 @@ SHADER_FN float cdq_even_density(uint bits, float brdf_part) {
 /// Counted anew each frame: the passes begin with all of it 0 (but the group counts' y and z, which
 /// are 1).
 struct GuidingWork {
-    uvec3 deduplicate_groups; // indirect dispatches, one work group per entry of the lists below
+    uvec3 deduplicate_groups; // indirect dispatches, one work group per entry of a list (passes.glsl)
     uvec3 merge_groups;
+    uvec3 guide_groups;
     uvec3 augment_groups;
     uint vlc_used;    // light ids taken from the caches' buffer
     uint sample_used; // light samples' room given to leaves

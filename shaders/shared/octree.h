@@ -31,6 +31,9 @@ SHADER_FN uint octree_inner_child(uint node, uint child) { return (node >> 8u) +
 /// not used.
 SHADER_FN uint octree_leaf(uint node, uint child) { return 8u * node + child; }
 
+/// The node of a leaf.
+SHADER_FN uint octree_node_of(uint leaf) { return leaf >> 3u; }
+
 /// Smallest cell along an axis, for a distance from the root's corner in smallest cells. A distance
 /// that is no number counts as 0: the conversion of such a value is undefined in C++ and in GLSL.
 SHADER_FN uint octree_coordinate(float cells) {

@@ -12,7 +12,7 @@
     ROW(VIEW_SAMPLES,     2,  samples,     "Surface samples that the leaf received in this frame.") \
     ROW(VIEW_VLC_LIGHTS,  3,  vlc_lights,  "Lights in the leaf's Visibility Light Cache.") \
     ROW(VIEW_VLC_BUCKETS, 4,  vlc_buckets, "Buckets of the leaf's Visibility Light Cache.") \
-    ROW(VIEW_CDQ,         5,  cdq,         "Directions at the crosshair: those that the leaf's quadtree draws, and those that light comes from.") \
+    ROW(VIEW_CDQ,         5,  cdq,         "Directions at the crosshair: those that the quadtree there draws, and those that light comes from.") \
     ROW(VIEW_TECHNIQUE,   6,  technique,   "Whether cache or exploration chose the light sample, and whether it contributed.") \
     ROW(VIEW_ZERO,        7,  zero,        "Light samples that contributed nothing.") \
     ROW(VIEW_NONFINITE,   8,  nonfinite,   "Values that were not finite.") \

@@ -24,8 +24,9 @@ constexpr Departure departures[] = {
     {"pt_vlc_persist", "0"},      // section 4.1: caches of one frame
     {"pt_explore_local", "0"},    // section 4.3: one distribution for all places
     {"pt_cdq_margin", "0.1"},     // section 5.1
-    {"pt_cdq_rays", "0"},         // section 5.1: the samples of a leaf in the frame before
+    {"pt_cdq_rays", "0"},         // section 5.1: the samples of the frame before
     {"pt_cdq_migrations", "1"},   // section 5.1
+    {"pt_cdq_adapt", "0"},        // section 7: half of the rays
     {"pt_vlc_bucket", "32"},      // section 7; as the default
     {"pt_indirect_rate", "full"}, // section 7: one path per pixel; as the default
 };

@@ -75,6 +75,7 @@ struct QuadtreeReport {
     uint32_t deepest = 0;
     std::vector<Cell> cells;    ///< one per leaf; the densest first
     float below_horizon = 0.0f; ///< share of draws that a surface loses below its horizon
+    float share = 0.0f;         ///< of rays that it draws
 };
 
 /// Guiding in the last frame. While pt_compare splits the picture: of the side that the crosshair

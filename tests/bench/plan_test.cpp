@@ -317,12 +317,12 @@ TEST(Presets, SetTheSameVariablesAndAreTold) {
 TEST(Presets, PaperDepartsFromTheDefaultsAndOthersDoNot) {
     // What the paper says in numbers.
     const std::map<std::string, std::string, std::less<>> paper = {
-        {"pt_nee", "vlc"},         {"pt_guide", "cdq"},         {"pt_spp", "1"},
-        {"pt_env_nee", "0"},       {"pt_light_points", "1"},    {"pt_light_density", "area"},
-        {"pt_vlc_explore", "0.1"}, {"pt_vlc_beside", "0"},      {"pt_vlc_adapt", "0"},
-        {"pt_vlc_persist", "0"},   {"pt_explore_local", "0"},   {"pt_cdq_margin", "0.1"},
-        {"pt_cdq_rays", "0"},      {"pt_cdq_migrations", "1"},  {"pt_vlc_weigh", "0"},
-        {"pt_vlc_bucket", "32"},   {"pt_indirect_rate", "full"}};
+        {"pt_nee", "vlc"},         {"pt_guide", "cdq"},          {"pt_spp", "1"},
+        {"pt_env_nee", "0"},       {"pt_light_points", "1"},     {"pt_light_density", "area"},
+        {"pt_vlc_explore", "0.1"}, {"pt_vlc_beside", "0"},       {"pt_vlc_adapt", "0"},
+        {"pt_vlc_persist", "0"},   {"pt_explore_local", "0"},    {"pt_cdq_margin", "0.1"},
+        {"pt_cdq_rays", "0"},      {"pt_cdq_migrations", "1"},   {"pt_vlc_weigh", "0"},
+        {"pt_vlc_bucket", "32"},   {"pt_indirect_rate", "full"}, {"pt_cdq_adapt", "0"}};
     std::map<std::string, std::string, std::less<>> set;
     for (const PresetSetting& setting : find_preset("paper")->settings)
         set.emplace(setting.variable, setting.value);

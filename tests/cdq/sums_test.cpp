@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace vigil::shader {
 namespace {
@@ -56,6 +57,54 @@ TEST(QuadtreeSums, TheBrdfsRaysAreTwiceAsDenseAsAnEvenSphere) {
         EXPECT_EQ(cdq_even_density(bits, 0.0f), 0.0f);
         EXPECT_TRUE(std::isfinite(cdq_even_density(bits, 1.0f)));
     }
+}
+
+// Two halves of the sphere, each of which one of the two draws evenly, and what they bring there.
+TEST(GuideShare, IsTheBestOfTwoThatShareNoDirection) {
+    for (const auto& [plain, guided] : {std::pair{1.0f, 1.0f}, {1.0f, 4.0f}, {9.0f, 1.0f}}) {
+        ShareMemory memory = share_unpack(uvec2(0u));
+        EXPECT_EQ(share_of(memory, 0.3f), 0.3f);
+        for (int frame = 0; frame < 400; ++frame) {
+            // Estimates are what is there over the part of the rays that go there.
+            const float a = share_of(memory, 0.5f), rays = 256.0f;
+            const float x_plain = plain / ((1 - a) * (1 - a)), x_guided = guided / (a * a);
+            memory = share_update(memory, 0.5f, rays, rays * (1 - a) * x_plain, rays * a * x_guided,
+                                  0.5f);
+            memory = share_unpack(share_pack(memory));
+        }
+        const float best = std::sqrt(guided) / (std::sqrt(guided) + std::sqrt(plain));
+        const float trust = memory.rays / (memory.rays + SHARE_DOUBT);
+        EXPECT_NEAR(memory.share, 0.5f + trust * (best - 0.5f), 0.01f) << plain << " " << guided;
+    }
+}
+
+TEST(GuideShare, StaysBetweenItsBoundsAndFinite) {
+    for (const float first : {0.0f, 1.0f})
+        for (const float plain : {0.0f, 1e-30f, 1e37f, 3e38f})
+            for (const float guided : {0.0f, 1e-30f, 1e37f, 3e38f}) {
+                ShareMemory memory = share_unpack(uvec2(0u));
+                for (int frame = 0; frame < 20; ++frame)
+                    memory = share_unpack(
+                        share_pack(share_update(memory, 0.98f, 1.0f, plain, guided, first)));
+                EXPECT_GE(memory.share, 0.99f * SHARE_LEAST);
+                EXPECT_LE(memory.share, 1.01f * SHARE_MOST);
+                EXPECT_TRUE(std::isfinite(memory.plain) && std::isfinite(memory.guided));
+            }
+}
+
+TEST(GuideShare, PartsOfALeafKeepItAndForgetItsSums) {
+    ShareMemory memory;
+    memory.plain = 1e6f;
+    memory.guided = 1.0f;
+    memory.rays = 1000.0f;
+    memory.share = 0.5f;
+    const ShareMemory part = share_of_part(memory);
+    EXPECT_EQ(share_of(part, 0.9f), 0.5f);
+    // Two frames in a dark place, where guided rays bring all.
+    ShareMemory later = share_update(part, 0.5f, 256.0f, 0.0f, 1e-6f, 0.5f);
+    later = share_update(later, 0.5f, 256.0f, 0.0f, 1e-6f, 0.5f);
+    EXPECT_GT(later.share, 0.7f);
+    EXPECT_EQ(share_of(share_of_part(share_unpack(uvec2(0u))), 0.3f), 0.3f) << "nothing is known";
 }
 
 } // namespace

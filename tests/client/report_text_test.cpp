@@ -104,6 +104,7 @@ GuidingReport crosshair() {
     report.quadtree.bits = 64;
     report.quadtree.deepest = 5;
     report.quadtree.below_horizon = 0.125f;
+    report.quadtree.share = 0.3f;
     report.quadtree.cells = {{{0.0f, 1.0f, 0.0f}, 5, 4.0f}, {{0.0f, 0.0f, 1.0f}, 2, 0.25f}};
     return report;
 }
@@ -151,7 +152,8 @@ TEST(ReportText, Quadtree) {
     GuidingReport report = crosshair();
     EXPECT_EQ(quadtree_text(report),
               std::string(leaf_lines) +
-                  "  rays            7 brought light in this frame, room for 40\n"
+                  "  rays            7 in this frame, room for 40\n"
+                  "  guided rays     30 % of all from here\n"
                   "  quadtree        64 bits, 2 leaves, the smallest at level 5\n"
                   "  density         0.25 to 4 per steradian\n"
                   "  below horizon   12.5 % of its draws\n"

@@ -6,7 +6,10 @@
 #include "vlc_oracle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace vigil::test {
 namespace {
@@ -14,7 +17,7 @@ namespace {
 constexpr size_t max_depth = 12; // of a leaf; directions are stored with as many bits
 
 /// A ray sample, decoded: 12 bits of u, 12 of v, and the contribution in quarters of a power of
-/// two, 128 for 1.
+/// two, 128 for 1; 0 for nothing.
 Path lowest_square(uint32_t ray) {
     Path path;
     for (size_t level = 1; level <= max_depth; ++level) {
@@ -26,23 +29,38 @@ Path lowest_square(uint32_t ray) {
 }
 
 double squared_contribution(uint32_t ray) {
+    if (ray >> 24 == 0) return 0.0;
     const double contribution = std::exp2((static_cast<double>(ray >> 24) - 128.0) / 4.0);
     return contribution * contribution;
 }
 
 /// What the pass takes of stored rays.
-std::vector<uint32_t> taken_rays(std::span<const uint32_t> rays, uint32_t most) {
-    std::vector<uint32_t> taken;
-    for (const size_t place : sample_places(rays.size(), most))
-        taken.push_back(rays[place]);
+std::vector<StoredRay> taken_rays(const QuadtreeLessons& lessons) {
+    std::vector<StoredRay> taken;
+    for (const std::vector<StoredRay>& rays : lessons.leaves)
+        for (const size_t place : sample_places(rays.size(), shader::GUIDE_MOST_RAYS))
+            taken.push_back(rays[place]);
     return taken;
 }
 
-Sums sums_of(const Squares& inner, std::span<const uint32_t> rays) {
+size_t stored_rays(const QuadtreeLessons& lessons) {
+    size_t stored = 0;
+    for (const std::vector<StoredRay>& rays : lessons.leaves)
+        stored += rays.size();
+    return stored;
+}
+
+/// Part of earlier knowledge that is kept.
+double kept_part(size_t rays, uint32_t memory) {
+    if (memory == 0) return 0.0;
+    return std::clamp(1.0 - static_cast<double>(rays) / memory, 0.0, 0.98);
+}
+
+Sums sums_of(const Squares& inner, const std::vector<StoredRay>& rays) {
     Sums sums;
     for (const Path& leaf : nodes_of(inner))
         if (!inner.contains(leaf)) sums[leaf] = 0.0;
-    for (const uint32_t ray : rays) {
+    for (const auto& [ray, estimate] : rays) {
         const Path square = lowest_square(ray);
         size_t depth = 1;
         while (inner.contains(square.substr(0, depth)))
@@ -101,16 +119,24 @@ Sums splittable(const Sums& sums, const QuadtreeLimits& limits) {
     return found;
 }
 
+/// Slots of nodes: their bits before the first migration. Four children of a node hand theirs on.
+using Slots = ByPath<size_t>;
+
 /// Those that may be the largest (`sign` 1) or the least (-1) of sums with a relative `error`. Of
-/// equal ones it is the first: floats are equal there, too, as they come from the same samples or
-/// are parts of one sum.
-std::vector<Path> extremes(const Sums& sums, double sign, double error, bool& tied) {
+/// equal ones it is the one in the lowest slot: floats are equal there, too, as they come from the
+/// same samples or are parts of one sum.
+std::vector<Path> extremes(const Sums& sums, const Slots& slots, double sign, double error,
+                           bool& tied) {
     double best = -1e300;
-    for (const auto& [path, sum] : sums)
+    std::map<size_t, std::pair<Path, double>> in_order;
+    for (const auto& [path, sum] : sums) {
         best = std::max(best, sign * sum);
+        in_order[slots.at(path)] = {path, sum};
+    }
     std::vector<Path> found;
     std::set<double> seen;
-    for (const auto& [path, sum] : sums) {
+    for (const auto& [slot, candidate] : in_order) {
+        const auto& [path, sum] = candidate;
         if (best - sign * sum > 2.0 * error * std::abs(best)) continue;
         if (seen.insert(sum).second)
             found.push_back(path);
@@ -120,11 +146,13 @@ std::vector<Path> extremes(const Sums& sums, double sign, double error, bool& ti
     return found;
 }
 
-void migrate(Squares& inner, Sums& sums, const Path& collapsed, const Path& split) {
+void migrate(Squares& inner, Sums& sums, Slots& slots, const Path& collapsed, const Path& split) {
     double collapsed_sum = 0.0;
     for (int child = 0; child < 4; ++child) {
         collapsed_sum += sums.at(child_of(collapsed, child));
         sums.erase(child_of(collapsed, child));
+        slots[child_of(split, child)] = slots.at(child_of(collapsed, child));
+        slots.erase(child_of(collapsed, child));
     }
     // Where in the leaf its samples lay is not asked again.
     for (int child = 0; child < 4; ++child)
@@ -136,16 +164,16 @@ void migrate(Squares& inner, Sums& sums, const Path& collapsed, const Path& spli
 }
 
 /// Adds to `result` all trees that up to `limits.migrations` further migrations lead to.
-void follow(const AdaptedQuadtree& tree, const Sums& sums, const QuadtreeLimits& limits,
-            double error, AdaptedQuadtrees& result) {
+void follow(const AdaptedQuadtree& tree, const Sums& sums, const Slots& slots,
+            const QuadtreeLimits& limits, double error, AdaptedQuadtrees& result) {
     if (error == 0.0) result.exact &= are_exact(sums);
     const Sums inner = collapsible(tree.inner, sums, limits), leaves = splittable(sums, limits);
     if (tree.migrations == limits.migrations || inner.empty() || leaves.empty()) {
         result.allowed.emplace(tree, sums);
         return;
     }
-    for (const Path& leaf : extremes(leaves, 1.0, error, result.tied))
-        for (const Path& node : extremes(inner, -1.0, error, result.tied)) {
+    for (const Path& leaf : extremes(leaves, slots, 1.0, error, result.tied))
+        for (const Path& node : extremes(inner, slots, -1.0, error, result.tied)) {
             // A product of floats, rounded once.
             const double gained = static_cast<float>(leaves.at(leaf)) * limits.margin;
             const double lost = inner.at(node);
@@ -154,9 +182,10 @@ void follow(const AdaptedQuadtree& tree, const Sums& sums, const QuadtreeLimits&
             if (!own_child && gained * (1.0 + error) > lost * (1.0 - error)) {
                 AdaptedQuadtree next = tree;
                 Sums moved = sums;
-                migrate(next.inner, moved, node, leaf);
+                Slots handed_on = slots;
+                migrate(next.inner, moved, handed_on, node, leaf);
                 ++next.migrations;
-                follow(next, moved, limits, error, result);
+                follow(next, moved, handed_on, limits, error, result);
             }
             if (own_child || gained * (1.0 - error) <= lost * (1.0 + error))
                 result.allowed.emplace(tree, sums);
@@ -205,31 +234,48 @@ std::optional<Squares> squares_of(glm::uvec4 field, uint32_t bits) {
 
 AdaptedQuadtrees adapt_quadtree(const Squares& inner, const QuadtreeLessons& lessons,
                                 const QuadtreeLimits& limits) {
-    std::vector<uint32_t> taken = taken_rays(lessons.rays, shader::CDQ_MOST_RAYS);
-    size_t stored = lessons.rays.size();
-    for (const std::span<const uint32_t> more : lessons.neighbours) {
-        if (stored >= limits.memory) break;
-        stored += more.size();
-        const std::vector<uint32_t> others = taken_rays(more, shader::CDQ_MOST_NEIGHBOUR_RAYS);
-        taken.insert(taken.end(), others.begin(), others.end());
-    }
+    const std::vector<StoredRay> taken = taken_rays(lessons);
     Sums sums = sums_of(inner, taken);
-    double kept = 0.0;
-    if (limits.memory > 0)
-        kept = std::clamp(1.0 - static_cast<double>(stored) / limits.memory, 0.0, 0.98);
+    const double kept = kept_part(stored_rays(lessons), limits.memory);
     for (const auto& [leaf, sum] : lessons.remembered)
         sums.at(leaf) += kept * sum;
     AdaptedQuadtrees result;
+    Slots slots;
+    for (const Path& node : nodes_of(inner))
+        slots.emplace(node, slots.size());
     // Only division by a power of two is exact.
     if (limits.even_density == 0.0f && kept == 0.0) {
-        follow({inner, 0}, sums, limits, 0.0, result);
+        follow({inner, 0}, sums, slots, limits, 0.0, result);
         if (result.exact) return result;
     }
     result = {};
     result.exact = false;
     result.error = error_of(taken.size());
-    follow({inner, 0}, sums, limits, result.error, result);
+    follow({inner, 0}, sums, slots, limits, result.error, result);
     return result;
+}
+
+ShareState adapt_share(const ShareState& shared, const QuadtreeLessons& lessons, uint32_t memory,
+                       double first) {
+    const double used = shared.rays > 0.0 ? shared.share : first;
+    double plain = 0.0, guided = 0.0;
+    for (const auto& [ray, estimate] : taken_rays(lessons)) {
+        const double square = static_cast<double>(std::bit_cast<float>(estimate << 16));
+        const double part = static_cast<double>(std::bit_cast<float>(estimate & 0xffff0000u));
+        plain += square * (1.0 - part);
+        guided += square * part;
+    }
+    const auto rays = static_cast<double>(stored_rays(lessons));
+    const double kept = 1.0 - 0.25 * (1.0 - kept_part(stored_rays(lessons), memory));
+    ShareState after;
+    after.plain = kept * shared.plain + (1.0 - used) * plain;
+    after.guided = kept * shared.guided + used * guided;
+    after.rays = kept * shared.rays + rays;
+    const double all = std::sqrt(after.guided) + std::sqrt(after.plain);
+    const double best = all > 0.0 ? std::sqrt(after.guided) / all : first;
+    const double trust = after.rays / (after.rays + 32.0);
+    after.share = std::clamp(first + trust * (best - first), 0.1, 0.75);
+    return after;
 }
 
 } // namespace vigil::test

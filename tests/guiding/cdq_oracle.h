@@ -11,7 +11,7 @@
 
 #include <map>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace vigil::test {
 
@@ -32,21 +32,34 @@ struct QuadtreeLimits {
     uint32_t migrations;       // at most
     float margin;              // a leaf's moment times this must exceed what is given up; 1 at most
     float even_density = 0.0f; // a leaf's moment is its sum over 4^depth and this
-    uint32_t memory = 0; // rays to follow: with fewer in a leaf its neighbours' count, too, face by
-                         // face, and with fewer in all of them what is remembered; 0: own ones
+    uint32_t memory = 0;       // rays to follow: with fewer, what is remembered counts; 0: own ones
 };
 
 /// Squared contributions by leaf of a quadtree.
 using Sums = ByPath<double>;
 
+/// The two words of a ray sample.
+struct StoredRay {
+    uint32_t ray;
+    uint32_t estimate;
+};
+
 /// What a quadtree is adapted to.
 struct QuadtreeLessons {
-    /// Ray samples as they are stored; of more than CDQ_MOST_RAYS the pass takes some.
-    std::span<const uint32_t> rays;
-    /// The same of the leaf beyond each face, in their order; CDQ_MOST_NEIGHBOUR_RAYS of each.
-    std::vector<std::span<const uint32_t>> neighbours;
+    /// Ray samples of a node's leaves; of more than GUIDE_MOST_RAYS in one the pass takes some.
+    std::vector<std::vector<StoredRay>> leaves;
     Sums remembered; // empty: nothing
 };
+
+/// How well the BRDF and the guider drew rays: running sums, and the guider's share.
+struct ShareState {
+    double plain = 0.0, guided = 0.0, rays = 0.0, share = 0.0;
+};
+
+/// `shared` after a frame with these rays, which were drawn with it: `first` is the share of a node
+/// without experience.
+ShareState adapt_share(const ShareState& shared, const QuadtreeLessons& lessons, uint32_t memory,
+                       double first);
 
 struct AdaptedQuadtree {
     Squares inner;

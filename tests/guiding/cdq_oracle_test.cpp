@@ -26,8 +26,16 @@ uint32_t ray_into(const Path& square, float contribution) {
     return shader::ray_sample_pack(cell + size / 2, contribution);
 }
 
+/// Of one leaf.
+QuadtreeLessons lessons_of(const std::vector<uint32_t>& rays) {
+    QuadtreeLessons lessons{{{}}, {}};
+    for (const uint32_t ray : rays)
+        lessons.leaves.front().push_back({ray, 0});
+    return lessons;
+}
+
 AdaptedQuadtree adapted(const std::vector<uint32_t>& rays, float margin, uint32_t migrations = 1) {
-    const AdaptedQuadtrees result = adapt_quadtree(even, {rays, {}, {}}, {migrations, margin});
+    const AdaptedQuadtrees result = adapt_quadtree(even, lessons_of(rays), {migrations, margin});
     EXPECT_TRUE(result.exact);
     EXPECT_EQ(result.allowed.size(), 1u);
     return result.allowed.begin()->first;
@@ -82,13 +90,13 @@ TEST(CdqOracle, AMigrationMustPayOff) {
 
 TEST(CdqOracle, FurtherMigrationsStartFromTheFirst) {
     const AdaptedQuadtree result = adapted({ray_into("30", 4.0f)}, 0.1f, 3);
-    // Of equal nodes the lowest number goes, of the leaf's four quarters the first is split again.
+    // Of equal nodes the lowest slot goes, of the leaf's four quarters the first is split again.
     EXPECT_EQ(result.inner, (Squares{"", "0", "3", "01", "02", "30", "300", "301"}));
     EXPECT_EQ(result.migrations, 3u);
 }
 
 TEST(CdqOracle, ManyRaysArePassedOverEvenly) {
-    std::vector<uint32_t> rays(2 * shader::CDQ_MOST_RAYS + 3, ray_into("10", 0.125f));
+    std::vector<uint32_t> rays(2 * shader::GUIDE_MOST_RAYS + 3, ray_into("10", 0.125f));
     rays[0] = rays[2] = ray_into("20", 64.0f);
     rays[1] = ray_into("30", 512.0f); // passed over
     EXPECT_TRUE(adapted(rays, 1.0f).inner.contains("20"));
@@ -106,7 +114,7 @@ TEST(CdqOracle, WhatRoundingDecidesIsOpen) {
         for (const float contribution : {1.2f, 1.7f, 2.4f})
             rays.push_back(ray_into(square, contribution));
     rays.push_back(ray_into("20", 1e-4f));
-    const AdaptedQuadtrees result = adapt_quadtree(even, {rays, {}, {}}, {1, 0.1f});
+    const AdaptedQuadtrees result = adapt_quadtree(even, lessons_of(rays), {1, 0.1f});
     EXPECT_FALSE(result.exact);
     EXPECT_EQ(result.allowed.size(), 2u);
 }

@@ -22,18 +22,22 @@ protected:
     }
 
     void rays_frame() {
-        const ByPath<LeafState> before = state_.leaves;
+        const TreeState before = state_;
         frame();
         if (HasFatalFailure()) return;
-        for (const auto& [path, leaf] : before) {
+        for (const auto& [path, leaf] : before.leaves)
+            dropped_ += leaf.rays > leaf.room ? 1u : 0u;
+        for (const auto& [path, node] : before.nodes) {
             const AdaptedQuadtrees& adapted = quadtrees_.at(path);
-            if (!leaf.adapts()) {
+            size_t rays = 0;
+            for (const std::vector<StoredRay>& stored : before.rays_of(path))
+                rays += stored.size();
+            if (rays == 0) {
                 ++unlit_;
                 continue;
             }
-            dropped_ += leaf.rays > leaf.room ? 1u : 0u;
-            single_ += leaf.kept_rays() == 1 ? 1u : 0u;
-            many_ += leaf.kept_rays() > 1000 ? 1u : 0u;
+            single_ += rays == 1 ? 1u : 0u;
+            many_ += rays > 1000 ? 1u : 0u;
             exact_ += adapted.exact ? 1u : 0u;
             tied_ += adapted.exact && adapted.tied ? 1u : 0u;
             ambiguous_ += adapted.allowed.size() > 1 ? 1u : 0u;
@@ -51,11 +55,11 @@ protected:
         return settings;
     }
 
-    // Leaves that ...
+    uint32_t dropped_ = 0; // leaves with more rays than they stored
+    // Nodes that ...
     uint32_t unlit_ = 0;     // were not looked at
     uint32_t single_ = 0;    // had one ray,
-    uint32_t many_ = 0;      // thousands,
-    uint32_t dropped_ = 0;   // more than they stored
+    uint32_t many_ = 0;      // thousands
     uint32_t exact_ = 0;     // had sums that floats hold
     uint32_t tied_ = 0;      // of them: equal ones decided
     uint32_t ambiguous_ = 0; // had several trees that rounding may lead to
@@ -75,7 +79,7 @@ TEST_P(DirectionsOfSize, RandomRays) {
                                                 << (brought == Brought::Powers ? ", powers" : ""));
                 start(settings_for(migrations, margin), 64, bits);
                 Dice dice(bits + migrations + static_cast<uint32_t>(100 * margin));
-                random_rays_frame(dice, 20, {brought, 60, 2 * bits}, bits);
+                random_rays_frame(dice, 80, {brought, 60, 2 * bits}, bits);
                 if (HasFatalFailure()) return;
             }
     for (const uint32_t leaves : {unlit_, single_, dropped_, exact_, tied_, moved_, stayed_})
@@ -87,11 +91,11 @@ TEST_P(DirectionsOfSize, RandomRays) {
 TEST_P(DirectionsOfSize, BesideRaysOfTheBrdf) {
     const uint32_t bits = GetParam();
     shader::GuidingSettings settings = settings_for(4, 0.25f);
-    settings.even_density = shader::cdq_even_density(bits, 0.5f);
-    EXPECT_EQ(settings.even_density, 1.5f * static_cast<float>(bits) + 2.0f);
+    settings.first_share = 0.5f;
+    EXPECT_EQ(shader::cdq_even_density(bits, 0.5f), 1.5f * static_cast<float>(bits) + 2.0f);
     start(settings, 64, bits);
     Dice dice(bits + 5);
-    random_rays_frame(dice, 20, {Brought::Anything, 60, 2 * bits}, bits);
+    random_rays_frame(dice, 80, {Brought::Anything, 60, 2 * bits}, bits);
     EXPECT_GT(moved_, 20u);
 }
 
@@ -103,7 +107,7 @@ TEST_P(DirectionsOfSize, ThousandsOfRays) {
         settings.collapse = 2000;
         start(settings, 256, bits);
         Dice dice(bits + 7);
-        random_rays_frame(dice, 10, {brought, 3000, bits}, bits);
+        random_rays_frame(dice, 30, {brought, 3000, bits}, bits);
         if (HasFatalFailure()) return;
     }
     EXPECT_GE(many_, 8u);
@@ -114,23 +118,23 @@ TEST_P(DirectionsOfSize, AsManyMigrationsAsThereCanBe) {
     const uint32_t bits = GetParam();
     start(settings_for(16, 1.0f), 64, bits);
     Dice dice(bits + 8);
-    random_rays_frame(dice, 20, {Brought::Anything, 60, 4 * bits}, bits);
+    random_rays_frame(dice, 80, {Brought::Anything, 60, 4 * bits}, bits);
     if (HasFatalFailure()) return;
     EXPECT_GT(statistics_.cdq_migrations, 200u);
 }
 
-TEST_P(DirectionsOfSize, WithNeighboursAndMemory) {
+TEST_P(DirectionsOfSize, WithMemory) {
     const uint32_t bits = GetParam();
-    // Enough rays in the leaf; with some of its neighbours; in no leaf.
+    // Enough rays in most nodes, in some, in none.
     for (const uint32_t memory : {20u, 150u, 2000u})
         for (const uint32_t migrations : {1u, 4u}) {
             SCOPED_TRACE(testing::Message() << memory << " rays, " << migrations << " migrations");
             shader::GuidingSettings settings = settings_for(migrations, 0.25f);
-            settings.even_density = shader::cdq_even_density(bits, 0.5f);
+            settings.first_share = 0.5f;
             settings.memory_rays = memory;
             start(settings, 64, bits);
             Dice dice(bits + memory + migrations);
-            random_rays_frame(dice, 20, {Brought::Anything, 60, 2 * bits, true}, bits);
+            random_rays_frame(dice, 80, {Brought::Anything, 60, 2 * bits, true}, bits);
             if (HasFatalFailure()) return;
         }
     EXPECT_GT(moved_, 100u);
@@ -143,13 +147,13 @@ TEST_P(DirectionsOfSize, RememberFromFrameToFrame) {
     settings.memory_rays = 500;
     start(settings, 64, bits);
     Dice dice(bits + 9);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 40; ++i) {
         for (auto& [path, leaf] : state_.leaves) {
             leaf.count = 30; // between the thresholds: the octree rests
             leaf.rays = std::min(leaf.room, 20u);
             for (uint32_t ray = 0; ray < leaf.rays; ++ray)
-                state_.rays[leaf.first_sample + ray] = shader::ray_sample_pack(
-                    random_cell(dice, {0.3f, 0.6f}), dice.between(0.5f, 2.0f));
+                state_.ray(leaf, ray)[0] = shader::ray_sample_pack(random_cell(dice, {0.3f, 0.6f}),
+                                                                   dice.between(0.5f, 2.0f));
         }
         rays_frame();
         if (HasFatalFailure()) return;
@@ -177,7 +181,7 @@ TEST_P(DirectionsOfSize, AllEnergyInOneRayAndNoneAtAll) {
                         ray == 0 ? glm::uvec2(1000, 3000) : glm::uvec2(200 * ray, 4095 - 100 * ray);
                     const float most = i >= 8 ? std::exp2(31.0f) : 3e38f;
                     const float brought = ray == 0 || i >= 8 ? most : 0.0f;
-                    state_.rays[leaf.first_sample + ray] = shader::ray_sample_pack(cell, brought);
+                    state_.ray(leaf, ray)[0] = shader::ray_sample_pack(cell, brought);
                 }
             }
             rays_frame();
@@ -193,13 +197,48 @@ TEST_P(DirectionsOfSize, AllEnergyInOneRayAndNoneAtAll) {
         "the quadtrees of the plain implementation; a chain to the one ray");
 }
 
+TEST_P(DirectionsOfSize, SharesFollowWhatRaysEstimated) {
+    const uint32_t bits = GetParam();
+    double least = 1.0, most = 0.0;
+    for (const float first : {0.0f, 0.5f, 1.0f}) {
+        SCOPED_TRACE(testing::Message() << "first share " << first);
+        shader::GuidingSettings settings = settings_for(4, 0.25f);
+        settings.first_share = first;
+        settings.adapt_share = 1;
+        settings.memory_rays = 500;
+        start(settings, 64, bits);
+        Dice dice(bits + 10);
+        for (int i = 0; i < 6; ++i) {
+            for (auto& [path, leaf] : state_.leaves)
+                leaf.count = 60; // it is split in the next frame
+            if (i < 2) {
+                rays_frame();
+            } else {
+                // Of new places: what the nodes know is kept.
+                const ByPath<NodeState> nodes = state_.nodes;
+                add_random_rays(dice, {Brought::Anything, 60, 2 * bits, true}, bits, state_);
+                for (const auto& [path, node] : nodes)
+                    state_.nodes.at(path).shared = node.shared;
+                rays_frame();
+            }
+            if (HasFatalFailure()) return;
+            for (const auto& [path, shared] : shares_) {
+                least = std::min(least, shared.share);
+                most = std::max(most, shared.share);
+            }
+        }
+    }
+    EXPECT_LT(least, 0.2);
+    EXPECT_GT(most, 0.7);
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, DirectionsOfSize, testing::Values(32u, 64u, 96u, 128u));
 
 TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
     start(settings_for(1, 0.5f), 64, 64);
     Dice dice(31);
     for (int round = 0; round < 20; ++round) {
-        random_rays_frame(dice, 20, {Brought::Same, 12, 16}, 64);
+        random_rays_frame(dice, 80, {Brought::Same, 12, 16}, 64);
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(tied_, 100u);
@@ -211,7 +250,7 @@ TEST_F(Directions, WhatNobodyKeptIsNotRemembered) {
     settings.memory_rays = 0;
     start(settings, 64, 128);
     Dice dice(7);
-    random_rays_frame(dice, 20, {Brought::Anything, 60, 256}, 128);
+    random_rays_frame(dice, 80, {Brought::Anything, 60, 256}, 128);
     if (HasFatalFailure()) return;
     ASSERT_GT(state_.inner.size(), 1u);
     settings.memory_rays = 512;
@@ -229,17 +268,19 @@ TEST_F(Directions, OneHugeLeafAmongEmptyOnes) {
         state_ = random_samples(dice, random_tree(dice, 3, 0.5), {}, settings_, guiding().header());
         for (auto& [path, leaf] : state_.leaves)
             leaf.count = leaf.room = 0;
-        LeafState& huge = std::next(state_.leaves.begin(), dice.below(10))->second;
+        const auto chosen = std::next(state_.leaves.begin(), dice.below(10));
+        LeafState& huge = chosen->second;
+        const Path node = chosen->first.substr(0, chosen->first.size() - 1);
         huge.first_sample = 123;
         huge.count = 1;
         state_.samples[huge.first_sample] = shader::LIGHT_SAMPLE_NONE;
         huge.room = rays;
         add_random_rays(dice, {Brought::Anything, rays, 0}, 128, state_);
-        huge.quadtree = quadtree_towards(128, target);
+        state_.nodes.at(node).quadtree = quadtree_towards(128, target);
         huge.rays = rays + dice.below(100);
         const glm::uvec2 deepest(target * 4096.0f);
         for (uint32_t i = 0; i < rays; ++i)
-            state_.rays[huge.first_sample + i] = shader::ray_sample_pack(
+            state_.ray(huge, i)[0] = shader::ray_sample_pack(
                 dice.chance(0.2) ? random_cell(dice, target)
                                  : deepest + glm::uvec2(dice.below(4), dice.below(4)),
                 dice.chance(0.9) ? 1.0f : 2.0f);
@@ -261,7 +302,7 @@ TEST_F(Directions, QuadtreesFollowTheRays) {
                 leaf.count = 30; // between the thresholds: the octree rests
                 leaf.rays = std::min(leaf.room, 40u);
                 for (uint32_t ray = 0; ray < leaf.rays; ++ray)
-                    state_.rays[leaf.first_sample + ray] =
+                    state_.ray(leaf, ray)[0] =
                         shader::ray_sample_pack({1000 + dice.below(3), 3000 + dice.below(3)}, 1.0f);
             }
             rays_frame();

@@ -103,10 +103,11 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     state_ = state_after(root, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
                          std::vector<uint32_t>(guiding().header().vlc_capacity), settings_.bucket);
     if (cdq_bits_ > 0) {
-        take_quadtrees(state_, seen, cdq_bits_, remember(),
-                       std::vector<uint32_t>(guiding().header().sample_capacity));
-        for (const auto& [path, leaf] : state_.leaves)
-            EXPECT_EQ(field_of(leaf.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
+        take_quadtrees(
+            state_, seen, cdq_bits_, remember(),
+            std::vector<uint32_t>(shader::RAY_SAMPLE_WORDS * guiding().header().sample_capacity));
+        for (const auto& [path, node] : state_.nodes)
+            EXPECT_EQ(field_of(node.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
     }
     for (uint32_t leaf = 0; leaf < 8; ++leaf) {
         EXPECT_EQ(seen.at(shader::LEAF_VLC, leaf, 1), 0u) << "leaf " << leaf;
@@ -172,24 +173,24 @@ void GuidingTest::ask_oracle() {
                            header.vlc_capacity, settings_.weigh != 0, settings_.persist});
     if (cdq_bits_ == 0) return;
     quadtrees_.clear();
-    for (const auto& [path, leaf] : state_.leaves) {
-        const auto stored = [&](const LeafState& owner) {
-            return std::span<const uint32_t>(state_.rays)
-                .subspan(owner.first_sample, owner.kept_rays());
-        };
-        QuadtreeLessons lessons;
-        QuadtreeLimits limits{settings_.migrations, settings_.margin, settings_.even_density};
-        if (leaf.adapts()) {
-            lessons.rays = stored(leaf);
+    shares_.clear();
+    for (const auto& [path, node] : state_.nodes) {
+        const bool learns = settings_.adapt_share != 0;
+        const float share = learns && node.shared.rays > 0.0 ? static_cast<float>(node.shared.share)
+                                                             : settings_.first_share;
+        QuadtreeLessons lessons{state_.rays_of(path), {}};
+        QuadtreeLimits limits{settings_.migrations, settings_.margin,
+                              shader::cdq_even_density(cdq_bits_, 1.0f - share)};
+        if (std::ranges::any_of(lessons.leaves, [](const auto& rays) { return !rays.empty(); })) {
             limits.memory = settings_.memory_rays;
-            for (int face = 0; face < 6; ++face)
-                if (const auto neighbour = neighbour_of(state_.inner, path, face))
-                    lessons.neighbours.push_back(stored(state_.leaves.at(*neighbour)));
-            if (remember()) lessons.remembered = leaf.remembered;
+            if (remember()) lessons.remembered = node.remembered;
+            if (learns)
+                shares_[path] = adapt_share(node.shared, lessons, settings_.memory_rays,
+                                            static_cast<double>(settings_.first_share));
         } else {
             limits.migrations = 0;
         }
-        quadtrees_[path] = adapt_quadtree(leaf.quadtree, lessons, limits);
+        quadtrees_[path] = adapt_quadtree(node.quadtree, lessons, limits);
     }
 }
 
@@ -204,13 +205,15 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
          {compare_tree(tree_, state_.inner, seen),
           compare_storage(tree_.inner, seen, header.sample_capacity),
           compare_caches(caches_, seen_old, state_.inner, lights, settings_.bucket),
-          compare_handed_on(tree_, caches_, seen, state_.inner, seen_old, remember()),
+          compare_handed_on(tree_, caches_, seen, state_.inner, seen_old),
           compare_statistics(state_, tree_, caches_, statistics_)})
         ASSERT_TRUE(found.empty()) << found.text();
     if (cdq_bits_ > 0) {
-        const Disagreements found =
-            compare_quadtrees(state_, quadtrees_, cdq_bits_, remember(), seen_old, statistics_);
-        ASSERT_TRUE(found.empty()) << found.text();
+        for (const Disagreements& found :
+             {compare_quadtrees(state_, quadtrees_, cdq_bits_, remember(), seen_old, statistics_),
+              compare_shares(state_, shares_, seen_old),
+              compare_guides_handed_on(tree_, seen, state_.inner, seen_old, remember())})
+            ASSERT_TRUE(found.empty()) << found.text();
     }
     std::vector<uint32_t> rays = std::move(state_.rays);
     state_ = state_after(tree_, caches_, seen, std::move(state_.samples), lights, settings_.bucket);
@@ -261,6 +264,7 @@ shader::GuidingSettings settings_with(uint32_t bucket, uint32_t persist) {
     settings.merge_faces = 0x3f;
     settings.weigh = 1;
     settings.persist = persist;
+    settings.first_share = 1.0f;
     return settings;
 }
 

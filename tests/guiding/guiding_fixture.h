@@ -23,7 +23,7 @@ protected:
 
     /// Makes room for a picture this wide and high; starts with the root divided once and runs a
     /// frame on it.
-    /// With `cdq_bits`, its leaves have quadtrees of so many bits.
+    /// With `cdq_bits`, its nodes have quadtrees of so many bits.
     void start(const shader::GuidingSettings& settings, uint32_t picture_size = 256,
                uint32_t cdq_bits = 0);
     /// Takes other settings that make the octree start anew by themselves, and runs a frame.
@@ -47,7 +47,8 @@ protected:
     TreeState state_;                  // what the next frame starts from
     AdaptedOctree tree_;               // made in the last frame
     Caches caches_;                    // on the tree before
-    AdaptedByLeaf quadtrees_;          // on the tree before, if leaves have quadtrees
+    AdaptedByNode quadtrees_;          // on the tree before, if nodes have quadtrees
+    ByPath<ShareState> shares_;        // the same for shares that are learned
     shader::GuidingWork statistics_{}; // seen in the last frame
     shader::GuidingSettings settings_{};
 

@@ -103,19 +103,33 @@ Squares random_quadtree(Dice& dice, uint32_t bits, uint32_t migrations) {
 }
 
 void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeState& state) {
-    state.rays.resize(state.samples.size());
+    state.rays.resize(shader::RAY_SAMPLE_WORDS * state.samples.size());
     for (uint32_t& ray : state.rays)
         ray = dice.word();
+    for (const Path& path : state.inner) {
+        NodeState& node = state.nodes[path];
+        node.quadtree = random_quadtree(dice, bits, rays.migrations);
+        if (rays.remembered) node.remembered = random_sums(dice, node.quadtree);
+    }
+    Path node = "none";
+    uint32_t most = 0; // rays of this node's next leaf: some nodes have none at all, some have one
     for (auto& [path, leaf] : state.leaves) {
-        leaf.quadtree = random_quadtree(dice, bits, rays.migrations);
+        if (const Path parent = path.substr(0, path.size() - 1); parent != node) {
+            node = parent;
+            most = dice.chance(0.25) ? 0 : dice.chance(0.25) ? 1 : UINT32_MAX;
+        }
         const std::array<uint32_t, 6> likely{0,         1,         2 + dice.below(8),
                                              leaf.room, rays.most, leaf.room + 1 + dice.below(40)};
-        leaf.rays = likely[dice.below(likely.size())];
+        leaf.rays = most == 1 ? 1 : std::min(likely[dice.below(likely.size())], most);
+        if (most == 1) most = 0;
         const glm::vec2 target(dice.between(0.0f, 1.0f), dice.between(0.0f, 1.0f));
-        for (uint32_t i = 0; i < leaf.kept_rays(); ++i)
-            state.rays[leaf.first_sample + i] = shader::ray_sample_pack(
-                random_cell(dice, target), random_contribution(dice, rays.brought, leaf.rays));
-        if (rays.remembered) leaf.remembered = random_sums(dice, leaf.quadtree);
+        for (uint32_t i = 0; i < leaf.kept_rays(); ++i) {
+            uint32_t* ray = state.ray(leaf, i);
+            ray[0] = shader::ray_sample_pack(random_cell(dice, target),
+                                             random_contribution(dice, rays.brought, leaf.rays));
+            const float square = dice.chance(0.2) ? 0.0f : std::exp2(dice.between(-20.0f, 20.0f));
+            ray[1] = shader::pack_sums(square, dice.between(0.0f, 1.0f));
+        }
     }
 }
 

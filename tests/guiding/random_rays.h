@@ -19,7 +19,7 @@ struct RandomRays {
     Brought brought = Brought::Anything;
     uint32_t most = 60;      // rays of a leaf
     uint32_t migrations = 0; // of quadtrees before, at most: from the even tree to any tree
-    bool remembered = false; // half of the leaves remember earlier rays
+    bool remembered = false; // half of the nodes remember earlier rays
 };
 
 /// A direction's cell on the grid of the smallest squares, 0 .. 4095 each. `target` is a point of
@@ -32,8 +32,8 @@ Squares random_quadtree(Dice& dice, uint32_t bits, uint32_t migrations);
 /// One that is as deep as it can be at a point of the unit square.
 Squares quadtree_towards(uint32_t bits, glm::vec2 target);
 
-/// Gives every leaf a quadtree of `bits` bits and rays, of which it stores as many as it has room
-/// for; fills the rest of the buffer of rays with garbage.
+/// Gives every node a quadtree of `bits` bits, and most leaves rays, of which it stores as many as
+/// it has room for; fills the rest of the buffer of rays with garbage.
 void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeState& state);
 
 } // namespace vigil::test

@@ -28,21 +28,32 @@ struct LeafState {
     bool inherited = false; // the cache is a larger leaf's
     Explored explored;      // as stored: what two bytes hold of each
     uint32_t rays = 0;      // ray samples that fell into it; they share the room
-    Squares quadtree;       // empty where none are kept
-    Sums remembered;        // of its leaves; empty where nothing is
     uint32_t kept() const { return std::min(count, room); }
     uint32_t kept_rays() const { return std::min(rays, room); }
-    /// Its quadtree adapts: some surface fell into it, and it has rays.
-    bool adapts() const { return count > 0 && kept_rays() > 0; }
+};
+
+/// What an inner node's guider knows.
+struct NodeState {
+    Squares quadtree;
+    Sums remembered;   // of its leaves; empty where nothing is
+    ShareState shared; // as stored
 };
 
 /// A tree after a frame was rendered with it.
 struct TreeState {
     InnerNodes inner;
     ByPath<LeafState> leaves;
+    ByPath<NodeState> nodes;       // empty without quadtrees
     std::vector<uint32_t> samples; // the whole buffer; garbage where no leaf has a sample
     std::vector<uint32_t> caches;  // the same for the lights of caches
     std::vector<uint32_t> rays;    // the same for ray samples; none without quadtrees
+
+    /// Number `i` of a leaf's ray samples: RAY_SAMPLE_WORDS words.
+    uint32_t* ray(const LeafState& leaf, uint32_t i) {
+        return &rays.at(size_t{shader::RAY_SAMPLE_WORDS} * (leaf.first_sample + i));
+    }
+    /// Those that a node's leaves have stored.
+    std::vector<std::vector<StoredRay>> rays_of(const Path& node) const;
 };
 
 /// Which light ids samples have. A leaf draws its `lights` from one of four ranges, so that

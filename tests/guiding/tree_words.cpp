@@ -47,24 +47,32 @@ size_t lights_in(const Cache& cache) {
     return lights;
 }
 
-glm::uvec4 quadtree_at(const TreeWords& words, uint32_t leaf) {
+glm::uvec4 quadtree_at(const TreeWords& words, uint32_t octree_node) {
     glm::uvec4 field;
     for (uint32_t word = 0; word < 4; ++word)
-        field[static_cast<int>(word)] = words.at(LEAF_GUIDE, leaf, word);
+        field[static_cast<int>(word)] = words.at(NODE_GUIDE, octree_node, word);
     return field;
 }
 
-/// Half a word of a leaf's sums.
+ShareState shared_at(const TreeWords& words, uint32_t octree_node) {
+    const auto number = [&](uint32_t word, uint32_t shift) {
+        return static_cast<double>(
+            std::bit_cast<float>(words.at(NODE_SHARE, octree_node, word) << shift & 0xffff0000u));
+    };
+    return {number(0, 16), number(0, 0), number(1, 16), number(1, 0)};
+}
+
+/// Half a word of a node's sums.
 uint32_t sum_half(uint32_t node) {
     return 16 * (node % 2);
 }
 
 /// What the leaves of a quadtree remember, as stored.
-Sums sums_at(const TreeWords& words, uint32_t leaf, const Squares& inner) {
+Sums sums_at(const TreeWords& words, uint32_t octree_node, const Squares& inner) {
     Sums sums;
     uint32_t node = 0;
     for (const Path& square : nodes_of(inner)) {
-        const uint32_t word = words.at(guide_memory(CDQ_SUM_WORDS), leaf, node / 2);
+        const uint32_t word = words.at(guide_memory(CDQ_SUM_WORDS), octree_node, node / 2);
         if (!inner.contains(square))
             sums[square] = static_cast<double>(std::bit_cast<float>(word >> sum_half(node) << 16));
         ++node;
@@ -73,10 +81,10 @@ Sums sums_at(const TreeWords& words, uint32_t leaf, const Squares& inner) {
 }
 
 /// Stores sums that upper halves of floats hold; inner nodes keep what is there.
-void store_sums(const LeafState& leaf, uint32_t number, TreeWords& words) {
+void store_sums(const NodeState& state, uint32_t number, TreeWords& words) {
     uint32_t node = 0;
-    for (const Path& square : nodes_of(leaf.quadtree)) {
-        if (const auto sum = leaf.remembered.find(square); sum != leaf.remembered.end()) {
+    for (const Path& square : nodes_of(state.quadtree)) {
+        if (const auto sum = state.remembered.find(square); sum != state.remembered.end()) {
             uint32_t& word = words.at(guide_memory(CDQ_SUM_WORDS), number, node / 2);
             const auto bits = std::bit_cast<uint32_t>(static_cast<float>(sum->second));
             word = (word & ~(0xffffu << sum_half(node))) | bits >> 16 << sum_half(node);
@@ -126,9 +134,9 @@ Explored explored_at(const TreeWords& words, uint32_t leaf) {
 } // namespace
 
 TreeWords TreeWords::sized(uint32_t node_capacity, bool sums) {
-    const uint32_t leaf_words = LEAF_WORDS + (sums ? CDQ_SUM_WORDS : 0);
+    const uint32_t node_words = 8 * LEAF_WORDS + (sums ? NODE_WORDS + CDQ_SUM_WORDS : 0);
     return {std::vector<uint32_t>(1 + node_capacity), std::vector<uint32_t>(2 * node_capacity),
-            std::vector<uint32_t>(8 * leaf_words * node_capacity)};
+            std::vector<uint32_t>(node_words * node_capacity)};
 }
 
 uint32_t TreeWords::node_capacity() const {
@@ -140,6 +148,27 @@ uint32_t& TreeWords::at(const shader::LeafArray& array, uint32_t leaf, uint32_t 
 }
 uint32_t TreeWords::at(const shader::LeafArray& array, uint32_t leaf, uint32_t i) const {
     return leaves.at(leaf_array_word(array, leaf, node_capacity()) + i);
+}
+
+uint32_t& TreeWords::at(const shader::NodeArray& array, uint32_t node, uint32_t i) {
+    return leaves.at(node_array_word(array, node, node_capacity()) + i);
+}
+uint32_t TreeWords::at(const shader::NodeArray& array, uint32_t node, uint32_t i) const {
+    return leaves.at(node_array_word(array, node, node_capacity()) + i);
+}
+
+std::vector<std::vector<StoredRay>> TreeState::rays_of(const Path& node) const {
+    std::vector<std::vector<StoredRay>> found;
+    for (int child = 0; child < 8; ++child) {
+        const auto leaf = leaves.find(child_of(node, child));
+        if (leaf == leaves.end()) continue;
+        std::vector<StoredRay>& stored = found.emplace_back();
+        for (uint32_t i = 0; i < leaf->second.kept_rays(); ++i) {
+            const size_t word = size_t{RAY_SAMPLE_WORDS} * (leaf->second.first_sample + i);
+            stored.push_back({rays.at(word), rays.at(word + 1)});
+        }
+    }
+    return found;
 }
 
 Numbering::Numbering(const InnerNodes& inner) {
@@ -185,16 +214,19 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         const Explored& explored = leaf.explored;
         words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.found);
         words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.cached, explored.share);
-        if (!state.rays.empty()) {
-            words.at(LEAF_RAYS, number) = leaf.rays;
-            const glm::uvec4 field = field_of(leaf.quadtree);
-            for (uint32_t word = 0; word < 4; ++word)
-                words.at(LEAF_GUIDE, number, word) = field[static_cast<int>(word)];
-            if (!leaf.remembered.empty()) store_sums(leaf, number, words);
-        }
+        words.at(LEAF_RAYS, number) = state.rays.empty() ? 0 : leaf.rays;
         for (int face = 0; face < 6; ++face)
             words.at(LEAF_NEIGHBOURS, number, face) =
                 neighbour_number(state.inner, numbers, path, face);
+    }
+    for (const auto& [path, node] : state.nodes) {
+        const uint32_t number = numbers.node(path);
+        const glm::uvec4 field = field_of(node.quadtree);
+        for (uint32_t word = 0; word < 4; ++word)
+            words.at(NODE_GUIDE, number, word) = field[static_cast<int>(word)];
+        words.at(NODE_SHARE, number, 0) = two_halves(node.shared.plain, node.shared.guided);
+        words.at(NODE_SHARE, number, 1) = two_halves(node.shared.rays, node.shared.share);
+        if (!node.remembered.empty()) store_sums(node, number, words);
     }
     return words;
 }
@@ -346,7 +378,7 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
 
 Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
                                 const TreeWords& seen, const InnerNodes& old,
-                                const TreeWords& seen_old, bool remember) {
+                                const TreeWords& seen_old) {
     Disagreements found;
     const Numbering numbers(expected.inner);
     const Numbering old_numbers(old);
@@ -359,17 +391,6 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
             found.add(fmt::format("{}: cache: expected {} buckets at {} of old {}, seen {} at {}",
                                   name(leaf, numbers), want.y, want.x, name(source, old_numbers),
                                   got.y, got.x));
-        for (uint32_t word = 0; word < 4; ++word)
-            if (seen.at(LEAF_GUIDE, to, word) != seen_old.at(LEAF_GUIDE, from, word))
-                found.add(fmt::format("{}: quadtree word {}: expected {:#x} of old {}, seen {:#x}",
-                                      name(leaf, numbers), word,
-                                      seen_old.at(LEAF_GUIDE, from, word),
-                                      name(source, old_numbers), seen.at(LEAF_GUIDE, to, word)));
-        for (uint32_t word = 0; remember && word < CDQ_SUM_WORDS; ++word)
-            if (seen.at(guide_memory(CDQ_SUM_WORDS), to, word) !=
-                seen_old.at(guide_memory(CDQ_SUM_WORDS), from, word))
-                found.add(fmt::format("{}: sums, word {}: not those of old {}", name(leaf, numbers),
-                                      word, name(source, old_numbers)));
         for (uint32_t word = 0; word < 2; ++word)
             if (seen.at(LEAF_EXPLORE, to, word) != seen_old.at(LEAF_EXPLORE, from, word))
                 found.add(fmt::format("{}: explored, word {}: not that of old {}",
@@ -382,14 +403,66 @@ Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& cac
     return found;
 }
 
-Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expected, uint32_t bits,
+Disagreements compare_guides_handed_on(const AdaptedOctree& expected, const TreeWords& seen,
+                                       const InnerNodes& old, const TreeWords& seen_old,
+                                       bool remember) {
+    Disagreements found;
+    const Numbering numbers(expected.inner);
+    const Numbering old_numbers(old);
+    for (const Path& node : expected.inner) {
+        // A new node was a leaf of the node above.
+        const bool split = !old.contains(node);
+        const uint32_t from = old_numbers.node(split ? node.substr(0, node.size() - 1) : node);
+        const uint32_t to = numbers.node(node);
+        for (uint32_t word = 0; word < 4; ++word)
+            if (seen.at(NODE_GUIDE, to, word) != seen_old.at(NODE_GUIDE, from, word))
+                found.add(fmt::format("node '{}': quadtree word {}: expected {:#x}, seen {:#x}",
+                                      node, word, seen_old.at(NODE_GUIDE, from, word),
+                                      seen.at(NODE_GUIDE, to, word)));
+        for (uint32_t word = 0; remember && word < CDQ_SUM_WORDS; ++word)
+            if (seen.at(guide_memory(CDQ_SUM_WORDS), to, word) !=
+                seen_old.at(guide_memory(CDQ_SUM_WORDS), from, word))
+                found.add(
+                    fmt::format("node '{}': sums, word {}: not those of its source", node, word));
+        ShareState want = shared_at(seen_old, from);
+        if (split) want = {0.0, 0.0, std::min(want.rays, 1.0), want.share};
+        const ShareState got = shared_at(seen, to);
+        for (double ShareState::*value :
+             {&ShareState::plain, &ShareState::guided, &ShareState::rays, &ShareState::share})
+            if (got.*value != want.*value)
+                found.add(fmt::format("node '{}': share: expected {}, seen {}", node, want.*value,
+                                      got.*value));
+    }
+    return found;
+}
+
+Disagreements compare_shares(const TreeState& old, const ByPath<ShareState>& expected,
+                             const TreeWords& seen_old) {
+    Disagreements found;
+    const Numbering numbers(old.inner);
+    for (const auto& [path, want] : expected) {
+        const ShareState got = shared_at(seen_old, numbers.node(path));
+        // Floats of two bytes.
+        for (double ShareState::*value :
+             {&ShareState::plain, &ShareState::guided, &ShareState::rays, &ShareState::share})
+            if (std::abs(got.*value - want.*value) > 0.01 * want.*value + 1e-37)
+                found.add(fmt::format("node '{}': share: expected {}, seen {}", path, want.*value,
+                                      got.*value));
+    }
+    return found;
+}
+
+Disagreements compare_quadtrees(const TreeState& old, const AdaptedByNode& expected, uint32_t bits,
                                 bool remember, const TreeWords& seen_old,
                                 const GuidingWork& statistics) {
     Disagreements found;
     const Numbering numbers(old.inner);
     uint32_t fewest = 0, most = 0;
-    for (const auto& [path, leaf] : old.leaves) {
-        const uint32_t number = numbers.leaf(path);
+    for (const auto& [path, node] : old.nodes) {
+        const uint32_t number = numbers.node(path);
+        const std::vector<std::vector<StoredRay>> rays = old.rays_of(path);
+        const bool adapts =
+            std::ranges::any_of(rays, [](const auto& stored) { return !stored.empty(); });
         const glm::uvec4 field = quadtree_at(seen_old, number);
         const auto text = [](glm::uvec4 words) {
             return fmt::format("{:08x} {:08x} {:08x} {:08x}", words.x, words.y, words.z, words.w);
@@ -403,23 +476,23 @@ Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expec
                 // Where rounding decides, different ways may lead to the same tree.
                 if (remember && adapted.allowed.size() == 1)
                     for (const auto& [square, sum] : sums_at(seen_old, number, tree.inner))
-                        if (const double want = (leaf.adapts() ? sums : leaf.remembered).at(square);
+                        if (const double want = (adapts ? sums : node.remembered).at(square);
                             std::abs(sum - want) > (adapted.error + 0.005) * want + 1e-37)
-                            found.add(fmt::format("{}: sum in square {}: expected {}, seen {}",
-                                                  name(path, numbers), square, want, sum));
+                            found.add(
+                                fmt::format("node '{}': sum in square {}: expected {}, seen {}",
+                                            path, square, want, sum));
             }
             least = std::min(least, tree.migrations);
             largest = std::max(largest, tree.migrations);
         }
         if (!match)
-            found.add(
-                fmt::format("{}: quadtree {} with {} rays, {} stored: expected {}{}, seen {}{}",
-                            name(path, numbers), text(field_of(leaf.quadtree)), leaf.rays,
-                            leaf.kept_rays(), text(field_of(adapted.allowed.begin()->first.inner)),
-                            adapted.allowed.size() > 1
-                                ? fmt::format(" or one of {}", adapted.allowed.size() - 1)
-                                : "",
-                            text(field), squares_of(field, bits) ? "" : ", which is no quadtree"));
+            found.add(fmt::format(
+                "node '{}': quadtree {}: expected {}{}, seen {}{}", path,
+                text(field_of(node.quadtree)), text(field_of(adapted.allowed.begin()->first.inner)),
+                adapted.allowed.size() > 1
+                    ? fmt::format(" or one of {}", adapted.allowed.size() - 1)
+                    : "",
+                text(field), squares_of(field, bits) ? "" : ", which is no quadtree"));
         fewest += least;
         most += largest;
     }
@@ -500,10 +573,12 @@ void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits, bool
                     std::vector<uint32_t> rays) {
     state.rays = std::move(rays);
     const Numbering numbers(state.inner);
-    for (auto& [path, leaf] : state.leaves) {
-        const uint32_t number = numbers.leaf(path);
-        leaf.quadtree = squares_of(quadtree_at(seen, number), bits).value();
-        if (remember) leaf.remembered = sums_at(seen, number, leaf.quadtree);
+    for (const Path& path : state.inner) {
+        const uint32_t number = numbers.node(path);
+        NodeState& node = state.nodes[path];
+        node.quadtree = squares_of(quadtree_at(seen, number), bits).value();
+        node.shared = shared_at(seen, number);
+        if (remember) node.remembered = sums_at(seen, number, node.quadtree);
     }
 }
 

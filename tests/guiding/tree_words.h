@@ -22,6 +22,9 @@ struct TreeWords {
     /// Word `i` of those that `array` has for a leaf.
     uint32_t& at(const shader::LeafArray& array, uint32_t leaf, uint32_t i = 0);
     uint32_t at(const shader::LeafArray& array, uint32_t leaf, uint32_t i = 0) const;
+    /// The same for an inner node.
+    uint32_t& at(const shader::NodeArray& array, uint32_t node, uint32_t i = 0);
+    uint32_t at(const shader::NodeArray& array, uint32_t node, uint32_t i = 0) const;
 
 private:
     uint32_t node_capacity() const;
@@ -66,17 +69,25 @@ Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
 Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
                              const InnerNodes& old, std::span<const uint32_t> lights,
                              uint32_t bucket);
-/// Also quadtrees, and what they remember if they do.
 Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
                                 const TreeWords& seen, const InnerNodes& old,
-                                const TreeWords& seen_old, bool remember);
+                                const TreeWords& seen_old);
 
-/// What may become of each leaf's quadtree.
-using AdaptedByLeaf = ByPath<AdaptedQuadtrees>;
+/// The same for what guiders know: quadtrees, what they remember if they do, and shares.
+Disagreements compare_guides_handed_on(const AdaptedOctree& expected, const TreeWords& seen,
+                                       const InnerNodes& old, const TreeWords& seen_old,
+                                       bool remember);
 
-/// Quadtrees of `bits` bits after the passes, in the leaves of the tree `old` that they started
+/// What was learned of shares, in the nodes of the tree `old` that the passes started from.
+Disagreements compare_shares(const TreeState& old, const ByPath<ShareState>& expected,
+                             const TreeWords& seen_old);
+
+/// What may become of each node's quadtree.
+using AdaptedByNode = ByPath<AdaptedQuadtrees>;
+
+/// Quadtrees of `bits` bits after the passes, in the nodes of the tree `old` that they started
 /// from, what they remember if they do, and how many migrations were counted.
-Disagreements compare_quadtrees(const TreeState& old, const AdaptedByLeaf& expected, uint32_t bits,
+Disagreements compare_quadtrees(const TreeState& old, const AdaptedByNode& expected, uint32_t bits,
                                 bool remember, const TreeWords& seen_old,
                                 const shader::GuidingWork& statistics);
 
@@ -87,7 +98,7 @@ Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree
 /// before, `lights` is the buffer of all caches, of buckets of `bucket` lights.
 TreeState state_after(const AdaptedOctree& tree, const Caches& caches, const TreeWords& seen,
                       std::vector<uint32_t> samples, std::vector<uint32_t> lights, uint32_t bucket);
-/// The same for the quadtrees of its leaves, of `bits` bits each, and what they remember if they
+/// The same for the quadtrees of its nodes, of `bits` bits each, and what they remember if they
 /// do; `rays` is the buffer of ray samples.
 void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits, bool remember,
                     std::vector<uint32_t> rays);

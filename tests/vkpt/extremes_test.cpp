@@ -49,8 +49,12 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
         {{"pt_vlc_beside", "1"}},
         {{"pt_vlc_explore", "0.05"}, {"pt_explore_local", "1"}},
         {{"pt_explore_local", "0"}, {"pt_vlc_adapt", "0"}},
-        {{"pt_explore_local", "0.8"}, {"pt_guide", "cdq"}, {"pt_cdq_brdf", "1"}},
+        {{"pt_explore_local", "0.8"},
+         {"pt_guide", "cdq"},
+         {"pt_cdq_adapt", "0"},
+         {"pt_cdq_brdf", "1"}},
         {{"pt_cdq_brdf", "0"}},
+        {{"pt_cdq_adapt", "1"}},
         {{"pt_cdq_margin", "0"}, {"pt_vlc_hysteresis", "0"}},
         {{"pt_cdq_margin", "1"}, {"pt_vlc_hysteresis", "1"}},
     };
@@ -58,8 +62,10 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
     for (const Settings& row : rows)
         expect_equal_means(shot, reference, row, {.everywhere = 0.012, .five_blocks = 0.12}, 64);
     record("shares", "pt_vlc_explore 1, pt_explore_local 0 and 1", "mean that of lh");
-    record("shares", "pt_cdq_brdf 0 and 1, pt_cdq_margin 0 and 1, pt_vlc_hysteresis 0 and 1",
-           "mean that of lh");
+    record(
+        "shares",
+        "pt_cdq_brdf 0 and 1, learned from there, pt_cdq_margin 0 and 1, pt_vlc_hysteresis 0 and 1",
+        "mean that of lh");
     // Without any exploring a light that no cache has is never found: documented, and darker.
     set("pt_guide", "brdf");
     set("pt_vlc_explore", "0");

@@ -65,8 +65,18 @@ protected:
                             << "leaf " << leaf;
             };
             expect_finite(shader::LEAF_EXPLORE, 2);
-            if (bits > 0) expect_finite(shader::guide_memory(shader::CDQ_SUM_WORDS), bits / 2);
         }
+        for (uint32_t node = 0; bits > 0 && node < nodes[0]; ++node)
+            for (const auto& [array, count] :
+                 {std::pair{shader::NODE_SHARE, shader::NODE_SHARE.words},
+                  std::pair{shader::guide_memory(shader::CDQ_SUM_WORDS), bits / 2}}) {
+                const uint32_t first = shader::node_array_word(array, node, capacity);
+                for (uint32_t word = first; word < first + count; ++word)
+                    for (const uint32_t half : {0u, 1u})
+                        ASSERT_TRUE(
+                            shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
+                            << "node " << node;
+            }
     }
 
     uint32_t before_ = 0;

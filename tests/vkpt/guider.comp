@@ -17,7 +17,7 @@ void main() {
     const uint index = gl_WorkGroupID.x * 64u + gl_LocalInvocationIndex;
     if (index >= path_count) return;
     const vec4 given = arguments[index];
-    const Guide guide = guide_prepare(load_guide(uint(given.w)));
+    const Guide guide = guide_prepare(load_guide(octree_node_of(uint(given.w))));
     if (path_index == 0u) {
         const vec3 direction = guide_sample(guide, given.xyz);
         results[index] = vec4(direction, guide_pdf(guide, direction));

@@ -63,7 +63,7 @@ CDQ_SAMPLING = part("cdq_sampling", "tests/cdq/sampling_test.cpp", "tests/cdq/qu
                     "tests/cdq/sphere_cells.cpp")
 CDQ_MIGRATION = part("cdq_migration", "tests/cdq/migration_test.cpp", "tests/cdq/quadtree.cpp")
 QUADTREES = part("quadtrees", "tests/numerics/quadtrees_test.cpp", "tests/cdq/quadtree.cpp")
-OCTREE = part("octree", "tests/guiding/octree_maths_test.cpp", computes=False)
+OCTREE = part("octree", "tests/guiding/octree_maths_test.cpp", "tests/guiding/octree_oracle.cpp", computes=False)
 ESTIMATE = part("estimate", "tests/bench/quality_estimate_test.cpp", "tests/bench/trimmed_error_test.cpp",
                 "src/bench/quality_estimate.cpp", "src/bench/reference.cpp", libraries=("vigil_common", "vigil_boost"))
 REFERENCE = part("reference", "tests/bench/reference_test.cpp", "src/bench/reference.cpp", libraries=("vigil_common",),
@@ -71,6 +71,7 @@ REFERENCE = part("reference", "tests/bench/reference_test.cpp", "src/bench/refer
 
 # Validation takes time, and notices other faults.
 GUIDING = whole("guiding", "guiding_passes_test", VIGIL_VALIDATION="0")
+DIRECTIONS = whole("guiding", "guiding_directions_test", VIGIL_VALIDATION="0")
 ANALYTIC = whole("vkpt", "vkpt_analytic_test", VIGIL_VALIDATION="0")
 FILTER = whole("vkpt", "vkpt_filter_test", VIGIL_VALIDATION="0")
 TECHNIQUE = whole("vkpt", "vkpt_technique_test", VIGIL_VALIDATION="0")
@@ -378,13 +379,19 @@ FAULTS = [
           "end.brought += direct.radiance;", "end.brought += 0.96 * direct.radiance;",
           ANALYTIC, "Analytic.WhiteFurnaceWhereRaysEnd"),
     Fault("mixture of rays: the BRDF's part counts 4% too unlikely", "shaders/pathtrace/indirect_ray.glsl",
-          "direction), seen.pdf, brdf_part);", "direction), seen.pdf, 0.96 * brdf_part);",
+          "guide_mixture_pdf(density, seen.pdf, 1.0 - share)",
+          "guide_mixture_pdf(density, seen.pdf, 0.96 * (1.0 - share))",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
+    Fault("guiders: what rays of the BRDF estimated counts 5% too little", "shaders/guiding/guide_adapt.comp",
+          "vec2(1.0 - part, part);", "vec2(0.95 * (1.0 - part), part);",
+          DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
+    Fault("guiders: a new node remembers the sums of the leaf that it was", "shaders/guiding/octree_augment.comp",
+          "? share_of_part(share) : share", "? share : share", DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
     Fault("guiders: a lobe's density is 4% too large", "shaders/guiding/lobe.glsl",
           "return (guide.power + 1.0) / (4.0 * PI)", "return 1.04 * (guide.power + 1.0) / (4.0 * PI)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
-    Fault("mixture of rays: 4% too few by the BRDF", "shaders/pathtrace/indirect_ray.glsl",
-          "if (random_next(random) < brdf_part)", "if (random_next(random) < 0.96 * brdf_part)",
+    Fault("mixture of rays: 4% too many by the guider", "shaders/pathtrace/indirect_ray.glsl",
+          "if (random_next(random) < share)", "if (random_next(random) < 1.04 * share)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
 
     # The filter.

@@ -166,19 +166,20 @@ std::string quadtree_text(const GuidingReport& guiding) {
         return "No quadtrees guided rays in the last frame. pt_guide cdq makes them.";
     if (!guiding.position) return nothing_there;
     std::string text =
-        place_text(guiding) +
-        fmt::format("  rays            {} brought light in this frame, room for {}\n",
-                    guiding.leaf.rays, guiding.leaf.room);
+        place_text(guiding) + fmt::format("  rays            {} in this frame, room for {}\n",
+                                          guiding.leaf.rays, guiding.leaf.room);
     if (guiding.earlier.leaf != guiding.leaf.leaf)
         text += fmt::format("its quadtree is that of leaf {}, where it was a frame ago:\n",
                             guiding.earlier.leaf);
     const refresh::QuadtreeReport& tree = guiding.quadtree;
-    text += fmt::format("  quadtree        {} bits, {} leaves, the smallest at level {}\n"
+    text += fmt::format("  guided rays     {:.0f} % of all from here\n"
+                        "  quadtree        {} bits, {} leaves, the smallest at level {}\n"
                         "  density         {:.3g} to {:.3g} per steradian\n"
                         "  below horizon   {:.1f} % of its draws\n"
                         "  its densest leaves (yaw from +x, pitch down positive, degrees):",
-                        tree.bits, tree.cells.size(), tree.deepest, tree.cells.back().density,
-                        tree.cells.front().density, 100.0f * tree.below_horizon);
+                        100.0f * tree.share, tree.bits, tree.cells.size(), tree.deepest,
+                        tree.cells.back().density, tree.cells.front().density,
+                        100.0f * tree.below_horizon);
     return text + table(tree.cells, most_cells_listed, "    ", "less dense ones",
                         [](const auto& cell, size_t) {
                             const glm::vec3& d = cell.direction;

@@ -18,7 +18,6 @@ public:
     void set(shader::GuidingSettings& to, const refresh::Settings& settings) const override {
         to.migrations = static_cast<uint32_t>(settings.pt_cdq_migrations);
         to.margin = settings.pt_cdq_margin;
-        to.even_density = shader::cdq_even_density(size(settings), settings.pt_cdq_brdf);
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The host side of a guider: how large what it keeps per leaf of the octree is, and how that
+// The host side of a guider: how large what it keeps per node of the octree is, and how that
 // begins. Its shader (shaders/guiding/NAME.glsl) draws directions and learns. Adding one: a shader
 // file, a file here, and a row in shaders/shared/guiders.h (docs/research/adding-a-guider.md).
 #pragma once
@@ -17,9 +17,9 @@ public:
 
     /// GUIDER_SIZE of its shader: what these settings ask for.
     virtual uint32_t size(const refresh::Settings&) const { return 0; }
-    /// LEAF_GUIDE of a leaf that has no experience.
+    /// NODE_GUIDE of a node that has no experience.
     virtual glm::uvec4 first_words(uint32_t /*size*/) const { return glm::uvec4(0); }
-    /// Words per leaf that it remembers beyond those; 0 at first.
+    /// Words per node that it remembers beyond those; 0 at first.
     virtual uint32_t memory_words() const { return 0; }
     /// Fills in what its pass alone reads of the settings.
     virtual void set(shader::GuidingSettings&, const refresh::Settings&) const {}

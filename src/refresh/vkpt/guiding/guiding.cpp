@@ -110,6 +110,8 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide
     options.guide = choose_guide(guide, settings);
     if (const Guider* guider = guider_of(guide)) guider->set(options.settings, settings);
     options.settings.memory_rays = static_cast<uint32_t>(settings.pt_cdq_rays);
+    options.settings.first_share = 1.0f - settings.pt_cdq_brdf;
+    options.settings.adapt_share = static_cast<uint32_t>(settings.pt_cdq_adapt);
     options.settings.weigh = static_cast<uint32_t>(settings.pt_vlc_weigh);
     options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
@@ -140,6 +142,7 @@ bool Guiding::prepare(const Options& options) {
                 options_.settings.memory_words < memory;
     options_ = options;
     options_.settings.memory_words = memory;
+    options_.settings.guided = options_.guide.guides() ? 1 : 0;
     choose_pipelines();
     if (fits) return false;
     device_.wait_idle();
@@ -160,14 +163,17 @@ void Guiding::make_buffers() {
     for (Tree& tree : trees_) {
         tree.nodes = make(1 + nodes, "octree nodes");
         tree.cells = make(2 * nodes, "octree cells");
-        const uint32_t words = shader::LEAF_WORDS + memory_words(options_.guide);
-        tree.leaves = make(words * leaves, "octree leaves");
+        const uint32_t node_words =
+            options_.guide.guides() ? shader::NODE_WORDS + memory_words(options_.guide) : 0;
+        tree.leaves = make((8 * shader::LEAF_WORDS + node_words) * nodes, "octree leaves");
         tree.caches = make(header_.vlc_capacity, "light caches");
     }
     plan_ = make(plan_words * nodes, "octree plan");
     samples_ = make(header_.sample_capacity, "light samples");
-    rays_ = options_.guide.guides() ? make(header_.sample_capacity, "ray samples") : gpu::Buffer();
-    lists_ = make(2 * leaves, "leaf lists");
+    rays_ = options_.guide.guides()
+                ? make(shader::RAY_SAMPLE_WORDS * header_.sample_capacity, "ray samples")
+                : gpu::Buffer();
+    lists_ = make(2 * leaves + nodes, "lists of leaves and nodes");
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
 }
@@ -213,44 +219,53 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
     commands.upload(tree.cells, 0, gpu::bytes_of_value(root));
     // Eight leaves without samples, caches, neighbours and experience.
     using shader::NONE;
-    const Guider* guider = guider_of(options_.guide.guide);
     const auto fill = [&](const shader::LeafArray& array, uint32_t value) {
-        std::vector<uint32_t> words(size_t{8} * array.words, value);
-        if (guider != nullptr && array.first == shader::LEAF_GUIDE.first) {
-            const glm::uvec4 first = guider->first_words(options_.guide.size);
-            for (size_t i = 0; i < words.size(); ++i)
-                words[i] = first[static_cast<glm::length_t>(i % 4)];
-        }
+        const std::vector<uint32_t> words(size_t{8} * array.words, value);
         const uint64_t word = shader::leaf_array_word(array, 0, header_.node_capacity);
         commands.upload(tree.leaves, word * sizeof(uint32_t), gpu::bytes_of(words));
     };
 #define VIGIL_FILL_ARRAY(name, width, before, value, new_leaf) fill(shader::name, value);
     LEAF_ARRAY_TABLE(VIGIL_FILL_ARRAY)
 #undef VIGIL_FILL_ARRAY
-    if (const uint32_t words = memory_words(options_.guide); words > 0)
-        fill(shader::guide_memory(words), 0);
+    if (const Guider* guider = guider_of(options_.guide.guide)) {
+        const auto begin = [&](const shader::NodeArray& array, std::span<const std::byte> words) {
+            if (words.empty()) return;
+            const uint64_t word = shader::node_array_word(array, 0, header_.node_capacity);
+            commands.upload(tree.leaves, word * sizeof(uint32_t), words);
+        };
+        const std::vector<uint32_t> nothing(
+            std::max(shader::NODE_SHARE.words, guider->memory_words()));
+        const std::span<const std::byte> zeros = gpu::bytes_of(nothing);
+        const glm::uvec4 first = guider->first_words(options_.guide.size);
+        begin(shader::NODE_GUIDE, gpu::bytes_of_value(first));
+        begin(shader::NODE_SHARE, zeros.first(shader::NODE_SHARE.words * sizeof(uint32_t)));
+        begin(shader::guide_memory(guider->memory_words()),
+              zeros.first(guider->memory_words() * sizeof(uint32_t)));
+    }
     restart_ = false;
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
     if (restart_) upload_start(commands);
     shader::GuidingWork start{};
-    start.deduplicate_groups = start.merge_groups = start.augment_groups = {0, 1, 1};
+    start.deduplicate_groups = start.merge_groups = start.guide_groups =
+        start.augment_groups = {0, 1, 1};
     commands.upload(work_, 0, gpu::bytes_of_value(start));
     const VkDescriptorSet set = trees_[current_].passes.handle();
     const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(options_.settings)};
     const gpu::WorkGroups nodes{{(header_.node_capacity + 63) / 64, 1, 1}};
-    // A work group for each leaf of a list that the passes have made.
+    // A work group for each entry of a list that the passes have made.
     const auto listed = [&](size_t counted) {
         return gpu::WorkGroups{{}, work_.handle(), counted};
     };
-    const gpu::WorkGroups sampled = listed(offsetof(shader::GuidingWork, deduplicate_groups));
     mark_.record(commands, inputs, nodes);
     if (options_.lights) {
-        deduplicate_.record(commands, inputs, sampled);
+        deduplicate_.record(commands, inputs,
+                            listed(offsetof(shader::GuidingWork, deduplicate_groups)));
         merge_.record(commands, inputs, listed(offsetof(shader::GuidingWork, merge_groups)));
     }
-    if (options_.guide.guides()) guide_.record(commands, inputs, sampled);
+    if (options_.guide.guides())
+        guide_.record(commands, inputs, listed(offsetof(shader::GuidingWork, guide_groups)));
     adapt_.record(commands, inputs, {});
     augment_.record(commands, inputs, listed(offsetof(shader::GuidingWork, augment_groups)));
 

@@ -72,6 +72,8 @@ public:
     const gpu::Buffer& vlc_lights() const { return tree().caches; }
     const gpu::Buffer& work() const { return work_; }
     const shader::GuidingHeader& header() const { return header_; }
+    /// Whether a guider draws rays, so that the tree's nodes have what it learned.
+    bool guided() const { return options_.guide.guides(); }
 
 private:
     void choose_pipelines();

@@ -14,7 +14,8 @@ std::vector<uint32_t> download_words(const gpu::Device& device, const gpu::Buffe
 
 } // namespace
 
-TreeCopy::TreeCopy(const gpu::Device& device, const Guiding& guiding) : header_(guiding.header()) {
+TreeCopy::TreeCopy(const gpu::Device& device, const Guiding& guiding)
+    : header_(guiding.header()), guided_(guiding.guided()) {
     device.wait_idle();
     nodes_ = download_words(device, guiding.tree().nodes);
     nodes_.erase(nodes_.begin()); // their number
@@ -44,8 +45,14 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
     report.explore_share = shader::explore_unpack({leaf_word(shader::LEAF_EXPLORE, leaf),
                                                    leaf_word(shader::LEAF_EXPLORE, leaf, 1)})
                                .share;
-    for (uint32_t word = 0; word < 4; ++word)
-        report.guide[static_cast<glm::length_t>(word)] = leaf_word(shader::LEAF_GUIDE, leaf, word);
+    if (guided_) {
+        const uint32_t node = shader::octree_node_of(leaf);
+        for (uint32_t word = 0; word < 4; ++word)
+            report.guide[static_cast<glm::length_t>(word)] =
+                node_word(shader::NODE_GUIDE, node, word);
+        report.guide_share = shader::share_unpack(
+            {node_word(shader::NODE_SHARE, node), node_word(shader::NODE_SHARE, node, 1)});
+    }
     report.source = leaf_word(shader::LEAF_SOURCE, leaf) & ~shader::SOURCE_SPLIT;
     for (uint32_t face = 0; face < 6; ++face)
         report.neighbours[face] = leaf_word(shader::LEAF_NEIGHBOURS, leaf, face);

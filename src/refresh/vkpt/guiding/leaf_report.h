@@ -15,7 +15,8 @@
 namespace vigil::vkpt {
 
 struct LeafReport : refresh::OctreeLeaf {
-    glm::uvec4 guide{0}; // what its guider keeps; meaningless while pt_guide is brdf
+    glm::uvec4 guide{0};               // what its node's guider keeps; 0 while pt_guide is brdf
+    shader::ShareMemory guide_share{}; // and how large a part of the rays it should draw
     std::vector<std::vector<uint32_t>> buckets; // light ids
 };
 
@@ -34,7 +35,12 @@ private:
         return leaves_[shader::leaf_array_word(array, leaf, header_.node_capacity) + word];
     }
 
+    uint32_t node_word(const shader::NodeArray& array, uint32_t node, uint32_t word = 0) const {
+        return leaves_[shader::node_array_word(array, node, header_.node_capacity) + word];
+    }
+
     shader::GuidingHeader header_;
+    bool guided_;
     std::vector<uint32_t> nodes_, leaves_, vlc_lights_;
 };
 
