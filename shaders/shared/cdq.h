@@ -165,29 +165,5 @@ SHADER_FN vec3 cdq_sample(uvec4 tree, uint bits, vec3 u) {
     return octahedral_decode(cell.corner + cell.size * (0.5f + 0.99f * (vec2(u.y, u.z) - 0.5f)));
 }
 
-SHADER_FN uvec4 cdq_shift_down(uvec4 field) {
-    return uvec4((field.x >> 4u) | (field.y << 28u), (field.y >> 4u) | (field.z << 28u), (field.z >> 4u) | (field.w << 28u), field.w >> 4u);
-}
-
-SHADER_FN uvec4 cdq_shift_up(uvec4 field) {
-    return uvec4(field.x << 4u, (field.y << 4u) | (field.x >> 28u), (field.z << 4u) | (field.y >> 28u), (field.w << 4u) | (field.z >> 28u));
-}
-
-/// The tree after its leaves migrate (paper, figure 4): `inner`, all of whose children are leaves,
-/// becomes a leaf, and `leaf`, which is not one of them and lies above the lowest level, gets four
-/// children.
-SHADER_FN uvec4 cdq_migrate(uvec4 tree, uint inner, uint leaf) {
-    // Take the old leaves out: what follows moves down.
-    const uint old_children = cdq_child(tree, inner, 0u);
-    tree[inner >> 5u] &= ~(1u << (inner & 31u));
-    const uvec4 keep = cdq_mask_below(old_children);
-    tree = (tree & keep) | (cdq_shift_down(tree) & ~keep);
-    if (leaf > old_children) leaf -= 4u;
-    // Put the new ones in: what follows moves up.
-    tree[leaf >> 5u] |= 1u << (leaf & 31u);
-    const uvec4 before = cdq_mask_below(cdq_child(tree, leaf, 0u));
-    return (tree & before) | cdq_shift_up(tree & ~before);
-}
-
 SHADER_END
 #endif

@@ -95,19 +95,6 @@ TEST(CdqBits, LeavesAreTheZeroes) {
         }
 }
 
-TEST(CdqBits, ShiftsMoveByFourBits) {
-    Dice dice(3);
-    for (int round = 0; round < 10000; ++round) {
-        const uvec4 field(any_word(dice), any_word(dice), any_word(dice), any_word(dice));
-        const uvec4 up = cdq_shift_up(field), down = cdq_shift_down(field);
-        for (uint position = 0; position < CDQ_MOST_BITS; ++position) {
-            ASSERT_EQ(bit(up, position), position >= 4 && bit(field, position - 4));
-            ASSERT_EQ(bit(down, position),
-                      position < CDQ_MOST_BITS - 4 && bit(field, position + 4));
-        }
-    }
-}
-
 /// Calls `visit` with every breadth-first field of 7 inner nodes and 25 leaves: a node exists as
 /// soon as enough inner nodes come before it.
 void for_every_32_bit_tree(const std::function<void(uint)>& visit) {

@@ -12,8 +12,7 @@ struct CdqQuery {
     uvec4 tree;
     uint bits;
     uint node;  // any node from 4 on, for parent
-    uint inner; // to collapse; for child too
-    uint leaf;  // to split
+    uint inner; // for child
     uint order; // number of a leaf
     vec2 uv;    // to look up
     vec3 u;     // to sample with
@@ -21,7 +20,6 @@ struct CdqQuery {
 
 struct CdqAnswer {
     uvec4 even;
-    uvec4 migrated;
     uint rank;
     uint child;
     uint parent;
@@ -40,7 +38,6 @@ struct CdqAnswer {
 SHADER_FN CdqAnswer cdq_answer(CdqQuery query) {
     CdqAnswer answer;
     answer.even = cdq_even_tree(query.bits);
-    answer.migrated = cdq_migrate(query.tree, query.inner, query.leaf);
     answer.rank = cdq_rank(query.tree, query.node);
     answer.child = cdq_child(query.tree, query.inner, 3u);
     answer.parent = cdq_parent(query.tree, query.node);

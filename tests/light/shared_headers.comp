@@ -40,7 +40,7 @@ void main() {
     const LightSample glint = sample_light_glossy(light, near, origin, normal, normal, brdf, share, vec2(0.5));
     result = vec4(ltc_importance(diffuse, light, false), ltc_importance(glossy, light, true),
                   drawn.seen.pdf + seen.geometry + glint.geometry, alias_choose(entry, slot));
-    tree = cdq_migrate(tree, 0u, cdq_leaf(tree, 128u, slot.column));
+    tree = uvec4(cdq_leaf(tree, 128u, slot.column));
     const vec4 children = light_group_importance(light_node(tree), tree, tree, tree, origin, normal);
     const LightNodeWeights weights = light_node_weights(children, vec4(0.0));
     result.x += light_node_choose(weights, 0.5 * light_node_sum(weights)).weight + light_node_weight(weights, light_node_stride(2u) - 1u);

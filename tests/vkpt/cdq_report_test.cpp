@@ -3,6 +3,7 @@
 // migrated, against draws from it. Without a GPU.
 #include "refresh/vkpt/guiding/cdq_report.h"
 
+#include "cdq/quadtree.h"
 #include "shared/cdq.h"
 #include "shared/random.h"
 
@@ -14,23 +15,17 @@
 namespace vigil::vkpt {
 namespace {
 
-/// The even tree after its deepest leaves moved, `steps` times, to where one direction is.
+/// The even tree after leaves moved, `steps` times, to where one direction is.
 glm::uvec4 tree_towards(glm::vec3 direction, uint32_t bits, int steps) {
-    glm::uvec4 tree = shader::cdq_even_tree(bits);
+    test::Quadtree tree(bits);
     for (int step = 0; step < steps; ++step) {
-        const uint32_t leaf = shader::cdq_find(tree, shader::octahedral_encode(direction)).node;
-        for (uint32_t inner = 0; inner < bits; ++inner) {
-            if (!shader::cdq_is_inner(tree, inner)) continue;
-            const uint32_t child = shader::cdq_child(tree, inner, 0);
-            bool may = true;
-            for (uint32_t i = child; i < child + 4; ++i)
-                may &= !shader::cdq_is_inner(tree, i) && i != leaf;
-            if (!may) continue;
-            tree = shader::cdq_migrate(tree, inner, leaf);
-            break;
-        }
+        const test::Quadtree::Node& leaf = tree.find(shader::octahedral_encode(direction));
+        const auto inner = std::ranges::find_if(tree.nodes(), [&](const auto* node) {
+            return node->is_collapsible() && leaf.parent != node;
+        });
+        if (inner != tree.nodes().end()) tree.migrate((*inner)->number, leaf.number);
     }
-    return tree;
+    return tree.field();
 }
 
 TEST(CdqReport, EvenTree) {
