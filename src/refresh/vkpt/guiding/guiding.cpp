@@ -171,7 +171,7 @@ void Guiding::make_buffers() {
     plan_ = make(plan_words * nodes, "octree plan");
     samples_ = make(header_.sample_capacity, "light samples");
     rays_ = options_.guide.guides()
-                ? make(shader::RAY_SAMPLE_WORDS * header_.sample_capacity, "ray samples")
+                ? make(uint64_t{shader::RAY_SAMPLE_WORDS} * header_.sample_capacity, "ray samples")
                 : gpu::Buffer();
     lists_ = make(2 * leaves + nodes, "lists of leaves and nodes");
     bind(trees_[0], trees_[1]);
