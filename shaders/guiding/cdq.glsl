@@ -174,7 +174,7 @@ void guide_learn(uint octree_node_index, uint rays) {
         sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
     unfold(uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]));
     barrier();
-    for (uint child = 0u; child < 8u; ++child) accumulate(leaf_rays(octree_node_index, child));
+    for (uint child = 0u; child < 8u; ++child) accumulate(leaf_rays(octree_node_index, child, rays));
     barrier();
     for (uint slot = lane; slot < GUIDER_SIZE; slot += LANES)
         if (first_child[slot] == 0u) moments[slot] = leaf_moment(slot);

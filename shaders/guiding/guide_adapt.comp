@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `guide_adapt`: one work group, of one subgroup, per old node whose leaves have ray samples. Its guider learns from them, and how large a
+// Pass `guide_adapt`: one work group, of one subgroup, per old node whose leaves sent rays. Its guider learns from them, and how large a
 // part of the rays it should draw. Compiled once per guider.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -12,19 +12,19 @@ layout(local_size_x_id = CONSTANT_GROUP_SIZE) in;
 layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u;
 const uint LANES = gl_WorkGroupSize.x;
 
-/// The rays of one leaf that a guider looks at: of very many some, evenly.
+/// The rays of one leaf that a guider looks at: of very many in a node some, evenly.
 struct LeafRays {
     uint first; // stored one
     uint stored;
     uint count;
 };
 
-/// None of a child that is an inner node.
-LeafRays leaf_rays(uint node, uint child) {
+/// Those of a node with `rays` > 0, blank ones among them. None of a child that is an inner node.
+LeafRays leaf_rays(uint node, uint child, uint rays) {
     const uint leaf = octree_leaf(node, child);
     if (!octree_is_leaf(old_nodes[node], child)) return LeafRays(0u, 0u, 0u);
     const uint stored = stored_rays(leaf);
-    return LeafRays(old_leaves[leaf_word(LEAF_STORAGE, leaf)], stored, min(stored, GUIDE_MOST_RAYS));
+    return LeafRays(old_leaves[leaf_word(LEAF_STORAGE, leaf)], stored, stored / guide_stride(rays));
 }
 
 /// First word of one of them.
@@ -42,7 +42,7 @@ float guided_share(uint node) {
 void learn_share(uint node, uint rays) {
     vec2 sums = vec2(0.0); // of the BRDF, of the guider
     for (uint child = 0u; child < 8u; ++child) {
-        const LeafRays own = leaf_rays(node, child);
+        const LeafRays own = leaf_rays(node, child, rays);
         for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
             const uint word = ray_samples[ray_word(own, i) + 1u];
             const float part = unpack_sum(word, 1u);
@@ -61,7 +61,10 @@ void learn_share(uint node, uint rays) {
 void main() {
     const uint node = lists[guide_entry(gl_WorkGroupID.x)];
     uint rays = 0u;
-    for (uint child = 0u; child < 8u; ++child) rays += leaf_rays(node, child).stored;
+    for (uint child = 0u; child < 8u; ++child) {
+        const uint leaf = octree_leaf(node, child);
+        if (octree_is_leaf(old_nodes[node], child)) rays += stored_rays(leaf) + blank_rays(leaf);
+    }
     if (rays == 0u) return;
     guide_learn(node, rays);
     if (settings.adapt_share != 0u) learn_share(node, rays);

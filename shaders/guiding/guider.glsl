@@ -8,7 +8,7 @@
 //   guide_pdf           the density of that, per steradian: of any unit vector, above 0 where light may come from
 //   guide_border        for pt_view cdq: whether a line is drawn at `uv` of an octahedral map of `edge` pixels
 // and, where GUIDE_LEARNS is defined (guide_adapt.comp), what follows from a frame's rays:
-//   guide_learn         brings the words of a node whose leaves have `rays` > 0 stored rays to them
+//   guide_learn         brings the words of a node whose leaves sent `rays` > 0 rays to them
 // GUIDER_SIZE is the host's: refresh/vkpt/guiding/NAME.cpp.
 #ifndef VIGIL_GUIDING_GUIDER_GLSL
 #define VIGIL_GUIDING_GUIDER_GLSL

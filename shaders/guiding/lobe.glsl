@@ -50,7 +50,7 @@ bool guide_border(Guide guide, vec2 uv, float edge) { return false; }
 void guide_learn(uint node, uint rays) {
     vec4 sums = vec4(0.0);
     for (uint child = 0u; child < 8u; ++child) {
-        const LeafRays own = leaf_rays(node, child);
+        const LeafRays own = leaf_rays(node, child, rays);
         for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
             const uint ray = ray_samples[ray_word(own, i)];
             const float contribution = ray_sample_contribution(ray);

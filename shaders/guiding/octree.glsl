@@ -56,6 +56,9 @@ void store_light_sample(uint leaf, uint light_sample) {
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
 void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u); }
 
+/// Counts a ray that brought nothing.
+void count_blank_ray(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_BLANK, leaf)], 1u); }
+
 /// Stores a ray sample, if the leaf has room; counts it in any case.
 void store_ray_sample(uint leaf, uvec2 ray_sample) {
     const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, leaf)], 1u);

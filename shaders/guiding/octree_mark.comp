@@ -27,7 +27,7 @@ void main() {
         const bool splits = count > settings.split && depth + 1u < OCTREE_MAX_DEPTH;
         if (splits) marks |= 1u << child;
         demand += splits ? 8u * demand_of_part(count) : count;
-        rays = rays || stored_rays(leaf) > 0u;
+        rays = rays || stored_rays(leaf) + blank_rays(leaf) > 0u;
         // List it for the caches.
         if (count > 0u) {
             lists[deduplicate_entry(atomicAdd(work.deduplicate_groups.x, 1u))] = leaf;

@@ -55,6 +55,8 @@ ShareMemory load_share(uint node) {
     return share_unpack(uvec2(old_leaves[words], old_leaves[words + 1u]));
 }
 
+uint blank_rays(uint leaf) { return old_leaves[leaf_word(LEAF_BLANK, leaf)]; }
+
 uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)]; }
 
 /// First of the words of a cache's buckets (VLC_BUCKET_WORDS), in the buffer of caches.

@@ -14,7 +14,9 @@ void learn_direction(Guided guided, vec3 weight, vec3 brought) {
     // Brighter than a sample can say is as bright as it can.
     const float estimate = min(luminance(finite_or_zero(weight * brought)), 1e15);
     const float contribution = guided.pdf > 0.0 ? finite_or_zero(estimate * sqrt(guided.pdf)) : 0.0;
-    store_ray_sample(guided.leaf, uvec2(ray_sample_pack(guided.grid, contribution), pack_sums(estimate * estimate, guided.part)));
+    if (contribution > 0.0)
+        store_ray_sample(guided.leaf, uvec2(ray_sample_pack(guided.grid, contribution), pack_sums(estimate * estimate, guided.part)));
+    else count_blank_ray(guided.leaf);
 }
 
 /// `light` is what was drawn where the first ray ended.

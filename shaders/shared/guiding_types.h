@@ -43,7 +43,8 @@ struct LeafArray {
     ROW(LEAF_SOURCE, 1u, LEAF_NEIGHBOURS, 0u, LEAF_MADE) /* its source; SOURCE_SPLIT: it is a part of that */ \
     ROW(LEAF_CACHED, 1u, LEAF_SOURCE, 0u, LEAF_CARRIED) /* lights in the cache */ \
     ROW(LEAF_RAYS, 1u, LEAF_CACHED, 0u, LEAF_ZEROED) /* ray samples that fell into the leaf */ \
-    ROW(LEAF_EXPLORE, 2u, LEAF_RAYS, 0u, LEAF_CARRIED) /* ExploreMemory */
+    ROW(LEAF_BLANK, 1u, LEAF_RAYS, 0u, LEAF_ZEROED) /* rays that brought nothing, which store none */ \
+    ROW(LEAF_EXPLORE, 2u, LEAF_BLANK, 0u, LEAF_CARRIED) /* ExploreMemory */
 // clang-format on
 SHADER_CONST LeafArray LEAF_BEGIN = LeafArray(0u, 0u);
 #define LEAF_CONSTANT(name, width, before, value, new_leaf) SHADER_CONST LeafArray name = LeafArray(before.first + before.words, width);
@@ -221,8 +222,10 @@ struct ShareMemory {
     float share;
 };
 /// Rare rays that bring much are seen late: the BRDF keeps a quarter.
-SHADER_CONST float SHARE_LEAST = 0.1f;
+SHADER_CONST float SHARE_LEAST = 0.125f;
 SHADER_CONST float SHARE_MOST = 0.75f;
+/// Shares have steps: the order in which threads add to sums hardly ever changes them, and with them the picture.
+SHADER_CONST float SHARE_STEPS = 16.0f;
 /// Rays that the share at the start counts for.
 SHADER_CONST float SHARE_DOUBT = 32.0f;
 /// How fast sums fade, beside what the guider learned: single rays decide them.
@@ -265,7 +268,8 @@ SHADER_FN ShareMemory share_update(ShareMemory memory, float guide_kept, float r
     const float part = sqrt(memory.guided);
     const float all = part + sqrt(memory.plain);
     const float best = all > 0.0f ? part / all : first;
-    memory.share = clamp(mix(first, best, memory.rays / (memory.rays + SHARE_DOUBT)), SHARE_LEAST, SHARE_MOST);
+    const float share = mix(first, best, memory.rays / (memory.rays + SHARE_DOUBT));
+    memory.share = clamp(floor(SHARE_STEPS * share + 0.5f) / SHARE_STEPS, SHARE_LEAST, SHARE_MOST);
     return memory;
 }
 
@@ -295,9 +299,12 @@ SHADER_FN float ray_sample_contribution(uint packed_sample) {
 /// together: each of the VLC_LEAST_LANES puts at most 512 of a leaf's samples, or 896 lights of it
 /// and its neighbours, into buckets of at most 64 slots.
 SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
-/// The same for a leaf's ray samples, for the same reasons: of a node's eight leaves each lane of a subgroup of four looks
+/// The same for a node's ray samples, for the same reasons: each lane of a subgroup of four looks
 /// at 1,024, and finding a quadtree's leaf takes 11 rounds at most.
-SHADER_CONST uint GUIDE_MOST_RAYS = 512u;
+SHADER_CONST uint GUIDE_MOST_RAYS = 4096u;
+
+/// Of a node with `rays` > 0 rays one ray sample in so many is looked at.
+SHADER_FN uint guide_stride(uint rays) { return (rays + GUIDE_MOST_RAYS - 1u) / GUIDE_MOST_RAYS; }
 /// Invocations of the work groups that make caches: a subgroup, but no fewer than these.
 SHADER_CONST uint VLC_LEAST_LANES = 8u;
 /// The hash table in shared memory: light ids, and buckets (ids with equal remainder).

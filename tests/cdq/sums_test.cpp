@@ -74,7 +74,8 @@ TEST(GuideShare, IsTheBestOfTwoThatShareNoDirection) {
         }
         const float best = std::sqrt(guided) / (std::sqrt(guided) + std::sqrt(plain));
         const float trust = memory.rays / (memory.rays + SHARE_DOUBT);
-        EXPECT_NEAR(memory.share, 0.5f + trust * (best - 0.5f), 0.01f) << plain << " " << guided;
+        EXPECT_NEAR(memory.share, 0.5f + trust * (best - 0.5f), 0.5f / SHARE_STEPS + 0.01f)
+            << plain << " " << guided;
     }
 }
 

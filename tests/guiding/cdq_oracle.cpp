@@ -34,20 +34,17 @@ double squared_contribution(uint32_t ray) {
     return contribution * contribution;
 }
 
-/// What the pass takes of stored rays.
+/// What the pass takes of stored rays: one in so many that no more than GUIDE_MOST_RAYS are left.
 std::vector<StoredRay> taken_rays(const QuadtreeLessons& lessons) {
+    size_t one_in = 1;
+    while (lessons.rays() > one_in * shader::GUIDE_MOST_RAYS)
+        ++one_in;
     std::vector<StoredRay> taken;
     for (const std::vector<StoredRay>& rays : lessons.leaves)
-        for (const size_t place : sample_places(rays.size(), shader::GUIDE_MOST_RAYS))
+        for (const size_t place :
+             sample_places(rays.size(), static_cast<uint32_t>(rays.size() / one_in)))
             taken.push_back(rays[place]);
     return taken;
-}
-
-size_t stored_rays(const QuadtreeLessons& lessons) {
-    size_t stored = 0;
-    for (const std::vector<StoredRay>& rays : lessons.leaves)
-        stored += rays.size();
-    return stored;
 }
 
 /// Part of earlier knowledge that is kept.
@@ -200,6 +197,13 @@ double error_of(size_t count) {
 
 } // namespace
 
+size_t QuadtreeLessons::rays() const {
+    size_t sum = blank;
+    for (const std::vector<StoredRay>& stored : leaves)
+        sum += stored.size();
+    return sum;
+}
+
 std::vector<Path> nodes_of(const Squares& inner) {
     std::vector<Path> nodes;
     for (const Path& node : inner)
@@ -236,7 +240,7 @@ AdaptedQuadtrees adapt_quadtree(const Squares& inner, const QuadtreeLessons& les
                                 const QuadtreeLimits& limits) {
     const std::vector<StoredRay> taken = taken_rays(lessons);
     Sums sums = sums_of(inner, taken);
-    const double kept = kept_part(stored_rays(lessons), limits.memory);
+    const double kept = kept_part(lessons.rays(), limits.memory);
     for (const auto& [leaf, sum] : lessons.remembered)
         sums.at(leaf) += kept * sum;
     AdaptedQuadtrees result;
@@ -265,8 +269,8 @@ ShareState adapt_share(const ShareState& shared, const QuadtreeLessons& lessons,
         plain += square * (1.0 - part);
         guided += square * part;
     }
-    const auto rays = static_cast<double>(stored_rays(lessons));
-    const double kept = 1.0 - 0.25 * (1.0 - kept_part(stored_rays(lessons), memory));
+    const auto rays = static_cast<double>(lessons.rays());
+    const double kept = 1.0 - 0.25 * (1.0 - kept_part(lessons.rays(), memory));
     ShareState after;
     after.plain = kept * shared.plain + (1.0 - used) * plain;
     after.guided = kept * shared.guided + used * guided;
@@ -274,7 +278,8 @@ ShareState adapt_share(const ShareState& shared, const QuadtreeLessons& lessons,
     const double all = std::sqrt(after.guided) + std::sqrt(after.plain);
     const double best = all > 0.0 ? std::sqrt(after.guided) / all : first;
     const double trust = after.rays / (after.rays + 32.0);
-    after.share = std::clamp(first + trust * (best - first), 0.1, 0.75);
+    after.share =
+        std::clamp(std::floor(16.0 * (first + trust * (best - first)) + 0.5) / 16.0, 0.125, 0.75);
     return after;
 }
 

@@ -46,9 +46,12 @@ struct StoredRay {
 
 /// What a quadtree is adapted to.
 struct QuadtreeLessons {
-    /// Ray samples of a node's leaves; of more than GUIDE_MOST_RAYS in one the pass takes some.
+    /// Ray samples of a node's leaves; of more than GUIDE_MOST_RAYS the pass takes some.
     std::vector<std::vector<StoredRay>> leaves;
-    Sums remembered; // empty: nothing
+    Sums remembered;    // empty: nothing
+    uint32_t blank = 0; // further rays, which brought nothing
+
+    size_t rays() const;
 };
 
 /// How well the BRDF and the guider drew rays: running sums, and the guider's share.

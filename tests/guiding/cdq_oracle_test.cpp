@@ -28,7 +28,8 @@ uint32_t ray_into(const Path& square, float contribution) {
 
 /// Of one leaf.
 QuadtreeLessons lessons_of(const std::vector<uint32_t>& rays) {
-    QuadtreeLessons lessons{{{}}, {}};
+    QuadtreeLessons lessons;
+    lessons.leaves.emplace_back();
     for (const uint32_t ray : rays)
         lessons.leaves.front().push_back({ray, 0});
     return lessons;
@@ -97,7 +98,7 @@ TEST(CdqOracle, FurtherMigrationsStartFromTheFirst) {
 
 TEST(CdqOracle, ManyRaysArePassedOverEvenly) {
     std::vector<uint32_t> rays(2 * shader::GUIDE_MOST_RAYS + 3, ray_into("10", 0.125f));
-    rays[0] = rays[2] = ray_into("20", 64.0f);
+    rays[0] = rays[3] = ray_into("20", 64.0f);
     rays[1] = ray_into("30", 512.0f); // passed over
     EXPECT_TRUE(adapted(rays, 1.0f).inner.contains("20"));
     EXPECT_FALSE(adapted(rays, 1.0f).inner.contains("30"));

@@ -178,10 +178,10 @@ void GuidingTest::ask_oracle() {
         const bool learns = settings_.adapt_share != 0;
         const float share = learns && node.shared.rays > 0.0 ? static_cast<float>(node.shared.share)
                                                              : settings_.first_share;
-        QuadtreeLessons lessons{state_.rays_of(path), {}};
+        QuadtreeLessons lessons = state_.lessons_of(path);
         QuadtreeLimits limits{settings_.migrations, settings_.margin,
                               shader::cdq_even_density(cdq_bits_, 1.0f - share)};
-        if (std::ranges::any_of(lessons.leaves, [](const auto& rays) { return !rays.empty(); })) {
+        if (lessons.rays() > 0) {
             limits.memory = settings_.memory_rays;
             if (remember()) lessons.remembered = node.remembered;
             if (learns)

@@ -28,6 +28,7 @@ struct LeafState {
     bool inherited = false; // the cache is a larger leaf's
     Explored explored;      // as stored: what two bytes hold of each
     uint32_t rays = 0;      // ray samples that fell into it; they share the room
+    uint32_t blank = 0;     // rays that brought nothing
     uint32_t kept() const { return std::min(count, room); }
     uint32_t kept_rays() const { return std::min(rays, room); }
 };
@@ -52,8 +53,8 @@ struct TreeState {
     uint32_t* ray(const LeafState& leaf, uint32_t i) {
         return &rays.at(size_t{shader::RAY_SAMPLE_WORDS} * (leaf.first_sample + i));
     }
-    /// Those that a node's leaves have stored.
-    std::vector<std::vector<StoredRay>> rays_of(const Path& node) const;
+    /// Those of a node's leaves; what it remembers is not among it.
+    QuadtreeLessons lessons_of(const Path& node) const;
 };
 
 /// Which light ids samples have. A leaf draws its `lights` from one of four ranges, so that

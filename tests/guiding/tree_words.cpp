@@ -157,12 +157,13 @@ uint32_t TreeWords::at(const shader::NodeArray& array, uint32_t node, uint32_t i
     return leaves.at(node_array_word(array, node, node_capacity()) + i);
 }
 
-std::vector<std::vector<StoredRay>> TreeState::rays_of(const Path& node) const {
-    std::vector<std::vector<StoredRay>> found;
+QuadtreeLessons TreeState::lessons_of(const Path& node) const {
+    QuadtreeLessons found;
     for (int child = 0; child < 8; ++child) {
         const auto leaf = leaves.find(child_of(node, child));
         if (leaf == leaves.end()) continue;
-        std::vector<StoredRay>& stored = found.emplace_back();
+        found.blank += leaf->second.blank;
+        std::vector<StoredRay>& stored = found.leaves.emplace_back();
         for (uint32_t i = 0; i < leaf->second.kept_rays(); ++i) {
             const size_t word = size_t{RAY_SAMPLE_WORDS} * (leaf->second.first_sample + i);
             stored.push_back({rays.at(word), rays.at(word + 1)});
@@ -215,6 +216,7 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.found);
         words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.cached, explored.share);
         words.at(LEAF_RAYS, number) = state.rays.empty() ? 0 : leaf.rays;
+        words.at(LEAF_BLANK, number) = state.rays.empty() ? 0 : leaf.blank;
         for (int face = 0; face < 6; ++face)
             words.at(LEAF_NEIGHBOURS, number, face) =
                 neighbour_number(state.inner, numbers, path, face);
@@ -269,6 +271,7 @@ Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
         const std::string where = name(leaf, numbers);
         check(where, "count", 0, seen.at(LEAF_COUNT, number));
         check(where, "ray samples", 0, seen.at(LEAF_RAYS, number));
+        check(where, "blank rays", 0, seen.at(LEAF_BLANK, number));
         check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, number));
         check(where, "source",
               old_numbers.leaf(source) | (leaf.size() > source.size() ? SOURCE_SPLIT : 0),
@@ -460,9 +463,7 @@ Disagreements compare_quadtrees(const TreeState& old, const AdaptedByNode& expec
     uint32_t fewest = 0, most = 0;
     for (const auto& [path, node] : old.nodes) {
         const uint32_t number = numbers.node(path);
-        const std::vector<std::vector<StoredRay>> rays = old.rays_of(path);
-        const bool adapts =
-            std::ranges::any_of(rays, [](const auto& stored) { return !stored.empty(); });
+        const bool adapts = old.lessons_of(path).rays() > 0;
         const glm::uvec4 field = quadtree_at(seen_old, number);
         const auto text = [](glm::uvec4 words) {
             return fmt::format("{:08x} {:08x} {:08x} {:08x}", words.x, words.y, words.z, words.w);

@@ -85,7 +85,7 @@ TEST(Packing, SumsOfSquaredContributionsCannotOverflow) {
     // The largest contribution there is, squared, of all rays that a quadtree takes in a frame, for
     // ever: a frame keeps at most 0.98 of what was there.
     const double largest = double(ray_sample_contribution(ray_sample_pack(uvec2(0), INFINITY)));
-    const double rays = 8.0 * GUIDE_MOST_RAYS; // of eight leaves
+    const double rays = GUIDE_MOST_RAYS;
     GuidingSettings settings{};
     settings.memory_words = CDQ_SUM_WORDS;
     settings.memory_rays = 1000000;
