@@ -77,7 +77,7 @@ TEST_P(DirectionsOfSize, RandomRays) {
                                                 << (brought == Brought::Powers ? ", powers" : ""));
                 start(settings_for(migrations, margin), 64, bits);
                 Dice dice(bits + migrations + static_cast<uint32_t>(100 * margin));
-                random_rays_frame(dice, 40, {brought, 60, 2 * bits}, bits);
+                random_rays_frame(dice, 80, {brought, 60, 2 * bits}, bits);
                 if (HasFatalFailure()) return;
             }
     for (const uint32_t leaves : {unlit_, single_, dropped_, exact_, tied_, moved_, stayed_})
@@ -93,7 +93,7 @@ TEST_P(DirectionsOfSize, BesideRaysOfTheBrdf) {
     EXPECT_EQ(shader::cdq_even_density(bits, 0.5f), 1.5f * static_cast<float>(bits) + 2.0f);
     start(settings, 64, bits);
     Dice dice(bits + 5);
-    random_rays_frame(dice, 40, {Brought::Anything, 60, 2 * bits}, bits);
+    random_rays_frame(dice, 80, {Brought::Anything, 60, 2 * bits}, bits);
     EXPECT_GT(moved_, 20u);
 }
 
@@ -105,7 +105,7 @@ TEST_P(DirectionsOfSize, ThousandsOfRays) {
         settings.collapse = 2000;
         start(settings, 256, bits);
         Dice dice(bits + 7);
-        random_rays_frame(dice, 20, {brought, 3000, bits}, bits);
+        random_rays_frame(dice, 30, {brought, 3000, bits}, bits);
         if (HasFatalFailure()) return;
     }
     EXPECT_GE(many_, 8u);
@@ -116,7 +116,7 @@ TEST_P(DirectionsOfSize, AsManyMigrationsAsThereCanBe) {
     const uint32_t bits = GetParam();
     start(settings_for(16, 1.0f), 64, bits);
     Dice dice(bits + 8);
-    random_rays_frame(dice, 40, {Brought::Anything, 60, 4 * bits}, bits);
+    random_rays_frame(dice, 80, {Brought::Anything, 60, 4 * bits}, bits);
     if (HasFatalFailure()) return;
     EXPECT_GT(statistics_.cdq_migrations, 200u);
 }
@@ -132,7 +132,7 @@ TEST_P(DirectionsOfSize, WithMemory) {
             settings.memory_rays = memory;
             start(settings, 64, bits);
             Dice dice(bits + memory + migrations);
-            random_rays_frame(dice, 40, {Brought::Anything, 60, 2 * bits, true}, bits);
+            random_rays_frame(dice, 80, {Brought::Anything, 60, 2 * bits, true}, bits);
             if (HasFatalFailure()) return;
         }
     EXPECT_GT(moved_, 100u);
@@ -236,7 +236,7 @@ TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
     start(settings_for(1, 0.5f), 64, 64);
     Dice dice(31);
     for (int round = 0; round < 20; ++round) {
-        random_rays_frame(dice, 40, {Brought::Same, 12, 16}, 64);
+        random_rays_frame(dice, 80, {Brought::Same, 12, 16}, 64);
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(tied_, 100u);
@@ -248,7 +248,7 @@ TEST_F(Directions, WhatNobodyKeptIsNotRemembered) {
     settings.memory_rays = 0;
     start(settings, 64, 128);
     Dice dice(7);
-    random_rays_frame(dice, 40, {Brought::Anything, 60, 256}, 128);
+    random_rays_frame(dice, 80, {Brought::Anything, 60, 256}, 128);
     if (HasFatalFailure()) return;
     ASSERT_GT(state_.inner.size(), 1u);
     settings.memory_rays = 512;

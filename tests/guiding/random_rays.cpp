@@ -122,7 +122,7 @@ void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeStat
                                              leaf.room, rays.most, leaf.room + 1 + dice.below(40)};
         leaf.rays = most == 1 ? 1 : std::min(likely[dice.below(likely.size())], most);
         if (most == 1) most = 0;
-        if (most > 1 && dice.chance(0.5)) leaf.blank = dice.below(2 * rays.most);
+        if (most > 1 && dice.chance(0.5)) leaf.blank = dice.below(100);
         const glm::vec2 target(dice.between(0.0f, 1.0f), dice.between(0.0f, 1.0f));
         for (uint32_t i = 0; i < leaf.kept_rays(); ++i) {
             uint32_t* ray = state.ray(leaf, i);
