@@ -38,6 +38,11 @@ shared uint first_child[CDQ_MOST_BITS]; // of inner nodes; 0: a leaf
 shared uint group_parent[CDQ_MOST_BITS / 4u];
 shared uint group_depth[CDQ_MOST_BITS / 4u];
 shared uint group_slots[CDQ_MOST_BITS / 4u]; // first slot of a group, by its first bit
+shared uvec4 field;
+shared uint most_moment; // of all invocations' leaves, as a float's bits: those of positive floats are in their order
+shared uint least_moment;
+shared uint most_leaf;
+shared uint least_inner;
 
 float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
 
@@ -69,24 +74,18 @@ void unfold(uvec4 tree) {
 /// The slot of a bit.
 uint slot_of(uint node) { return group_slots[node / 4u] + (node & 3u); }
 
-/// The field again, level by level, with the slots of its bits.
-uvec4 fold() {
-    uvec4 tree = uvec4(0u);
-    uint inner_nodes = 0u;
-    for (uint start = 0u, end = 4u; start < end; start = end, end = 4u * (inner_nodes + 1u)) {
-        for (uint first = start; first < end; first += LANES) {
-            const uint node = first + gl_LocalInvocationID.x;
-            const uint child = node < end ? first_child[slot_of(node)] : 0u;
-            const uvec4 inner = subgroupBallot(child != 0u);
-            if (child != 0u) {
-                tree[node >> 5u] |= 1u << (node & 31u);
-                group_slots[inner_nodes + subgroupBallotExclusiveBitCount(inner) + 1u] = child;
-            }
-            inner_nodes += subgroupBallotBitCount(inner);
-        }
+/// Makes the field again, level by level, with the slots of its bits.
+void fold() {
+    if (gl_LocalInvocationID.x == 0u) field = uvec4(0u);
+    barrier();
+    for (uint start = 0u, end = 4u; start < end; start = end, end = cdq_child(field, end, 0u)) {
+        for (uint node = start + gl_LocalInvocationID.x; node < end; node += LANES)
+            if (first_child[slot_of(node)] != 0u) atomicOr(field[node >> 5u], 1u << (node & 31u));
+        barrier();
+        for (uint node = start + gl_LocalInvocationID.x; node < end; node += LANES)
+            if (cdq_is_inner(field, node)) group_slots[cdq_child(field, node, 0u) / 4u] = first_child[slot_of(node)];
         barrier();
     }
-    return uvec4(subgroupOr(tree.x), subgroupOr(tree.y), subgroupOr(tree.z), subgroupOr(tree.w));
 }
 
 void add_sum(uint slot, float value) {
@@ -136,11 +135,22 @@ bool search(out uint leaf, out uint inner) {
             leaf = slot;
         }
     }
-    const float all_most = subgroupMax(most);
-    const float all_least = subgroupMin(least);
-    leaf = subgroupMin(most == all_most ? leaf : NONE);
-    inner = subgroupMin(least == all_least ? inner : NONE);
-    return leaf != NONE && inner != NONE && all_most * settings.margin > all_least;
+    if (gl_LocalInvocationID.x == 0u) {
+        most_moment = 0u;
+        least_moment = floatBitsToUint(NO_MOMENT);
+        most_leaf = NONE;
+        least_inner = NONE;
+    }
+    barrier();
+    atomicMax(most_moment, floatBitsToUint(most));
+    atomicMin(least_moment, floatBitsToUint(least));
+    barrier();
+    if (most == uintBitsToFloat(most_moment)) atomicMin(most_leaf, leaf);
+    if (least == uintBitsToFloat(least_moment)) atomicMin(least_inner, inner);
+    barrier();
+    leaf = most_leaf;
+    inner = least_inner;
+    return leaf != NONE && inner != NONE && uintBitsToFloat(most_moment) * settings.margin > uintBitsToFloat(least_moment);
 }
 
 /// The group below `inner` goes to `leaf`, whose sum goes to its new children in equal parts. For one invocation.
@@ -187,13 +197,14 @@ void guide_learn(uint octree_node_index, uint rays) {
     uint inner;
     while (migrated < settings.migrations && search(leaf, inner)) {
         ++migrated;
+        barrier();
         if (lane == 0u) migrate(inner, leaf);
         barrier();
     }
     if (migrated > 0u) {
-        const uvec4 tree = fold();
+        fold();
         if (lane == 0u) {
-            for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = tree[word];
+            for (uint word = 0u; word < 4u; ++word) old_leaves[words + word] = field[word];
             atomicAdd(work.cdq_migrations, migrated);
         }
     }

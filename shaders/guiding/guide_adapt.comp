@@ -1,16 +1,27 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `guide_adapt`: one work group, of one subgroup, per old node whose leaves sent rays. Its guider learns from them, and how large a
+// Pass `guide_adapt`: one work group per old node whose leaves sent rays. Its guider learns from them, and how large a
 // part of the rays it should draw. Compiled once per guider.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
-#extension GL_KHR_shader_subgroup_ballot : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
 
 layout(local_size_x_id = CONSTANT_GROUP_SIZE) in;
 layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u;
 const uint LANES = gl_WorkGroupSize.x;
+
+const uint MOST_LANES = 128u;
+shared vec4 lane_values[MOST_LANES];
+
+/// The sum of a value over all invocations, in their order.
+vec4 group_sum(vec4 value) {
+    lane_values[gl_LocalInvocationID.x] = value;
+    barrier();
+    vec4 sum = vec4(0.0);
+    for (uint lane = 0u; lane < LANES; ++lane) sum += lane_values[lane];
+    barrier();
+    return sum;
+}
 
 /// The rays of one leaf that a guider looks at: of very many in a node some, evenly.
 struct LeafRays {
@@ -31,9 +42,7 @@ LeafRays leaf_rays(uint node, uint child, uint rays) {
 uint ray_word(LeafRays rays, uint i) { return RAY_SAMPLE_WORDS * (rays.first + spread_place(i, rays.stored, rays.count)); }
 
 /// Part of a node's rays that its guider drew.
-float guided_share(uint node) {
-    return settings.adapt_share != 0u ? share_of(load_share(node), settings.first_share) : settings.first_share;
-}
+float guided_share(uint node) { return share_of(load_share(node), settings.first_share); }
 
 #define GUIDE_LEARNS
 #include "guiding/guider.glsl"
@@ -49,8 +58,8 @@ void learn_share(uint node, uint rays) {
             sums += unpack_sum(word, 0u) * vec2(1.0 - part, part);
         }
     }
-    sums = min(subgroupAdd(sums), EXPLORE_LARGEST_SUM);
-    if (!subgroupElect()) return;
+    sums = min(group_sum(vec4(sums, 0.0, 0.0)).xy, EXPLORE_LARGEST_SUM);
+    if (gl_LocalInvocationID.x != 0u) return;
     const uvec2 memory =
         share_pack(share_update(load_share(node), guide_kept(settings, rays), float(rays), sums.x, sums.y, settings.first_share));
     const uint words = node_word(NODE_SHARE, node);

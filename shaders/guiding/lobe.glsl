@@ -58,8 +58,8 @@ void guide_learn(uint node, uint rays) {
             sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);
         }
     }
-    sums = subgroupAdd(sums);
-    if (!subgroupElect()) return;
+    sums = group_sum(sums);
+    if (gl_LocalInvocationID.x != 0u) return;
     const uint words = node_word(NODE_GUIDE, node);
     const float kept = guide_kept(settings, rays);
     for (uint word = 0u; word < 4u; ++word) {

@@ -61,8 +61,7 @@ vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, ou
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     const uint node = octree_node_of(found.cache);
     const Guide guide = guide_prepare(load_guide(node));
-    const float first_share = 1.0 - frame.settings.pt_cdq_brdf;
-    const float share = frame.settings.pt_cdq_adapt != 0 ? share_of(load_share(node), first_share) : first_share;
+    const float share = share_of(load_share(node), 1.0 - frame.settings.pt_cdq_brdf);
     vec3 direction;
     if (random_next(random) < share) direction = guide_sample(guide, u);
     else direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;

@@ -79,6 +79,13 @@ SHADER_FN uint pack_sums(float low, float high) {
 
 SHADER_FN float unpack_sum(uint word, uint half_index) { return uintBitsToFloat(half_index == 0u ? word << 16u : word & 0xffff0000u); }
 
+/// Four sums in two words.
+SHADER_FN uvec2 pack_four_sums(vec4 four) { return uvec2(pack_sums(four.x, four.y), pack_sums(four.z, four.w)); }
+
+SHADER_FN vec4 unpack_four_sums(uvec2 words) {
+    return vec4(unpack_sum(words.x, 0u), unpack_sum(words.x, 1u), unpack_sum(words.y, 0u), unpack_sum(words.y, 1u));
+}
+
 /// Index of a leaf's first word in an array.
 SHADER_FN uint leaf_array_word(LeafArray array, uint leaf, uint node_capacity) {
     return array.first * (8u * node_capacity) + array.words * leaf;
@@ -178,16 +185,17 @@ SHADER_CONST float EXPLORE_DRAWS = 48.0f;
 SHADER_CONST float EXPLORE_MOST = 0.9f;
 
 SHADER_FN ExploreMemory explore_unpack(uvec2 words) {
+    const vec4 four = unpack_four_sums(words);
     ExploreMemory memory;
-    memory.listed = unpack_sum(words.x, 0u);
-    memory.found = unpack_sum(words.x, 1u);
-    memory.cached = unpack_sum(words.y, 0u);
-    memory.share = unpack_sum(words.y, 1u);
+    memory.listed = four.x;
+    memory.found = four.y;
+    memory.cached = four.z;
+    memory.share = four.w;
     return memory;
 }
 
 SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
-    return uvec2(pack_sums(memory.listed, memory.found), pack_sums(memory.cached, memory.share));
+    return pack_four_sums(vec4(memory.listed, memory.found, memory.cached, memory.share));
 }
 
 /// The memory after a frame with so many draws from lists and from the cache, and the sums of the squares of their
@@ -232,17 +240,16 @@ SHADER_CONST float SHARE_DOUBT = 32.0f;
 SHADER_CONST float SHARE_PACE = 0.25f;
 
 SHADER_FN ShareMemory share_unpack(uvec2 words) {
+    const vec4 four = unpack_four_sums(words);
     ShareMemory memory;
-    memory.plain = unpack_sum(words.x, 0u);
-    memory.guided = unpack_sum(words.x, 1u);
-    memory.rays = unpack_sum(words.y, 0u);
-    memory.share = unpack_sum(words.y, 1u);
+    memory.plain = four.x;
+    memory.guided = four.y;
+    memory.rays = four.z;
+    memory.share = four.w;
     return memory;
 }
 
-SHADER_FN uvec2 share_pack(ShareMemory memory) {
-    return uvec2(pack_sums(memory.plain, memory.guided), pack_sums(memory.rays, memory.share));
-}
+SHADER_FN uvec2 share_pack(ShareMemory memory) { return pack_four_sums(vec4(memory.plain, memory.guided, memory.rays, memory.share)); }
 
 /// Part of the rays that the guider draws; `first` is that of a node without experience.
 SHADER_FN float share_of(ShareMemory memory, float first) { return memory.rays > 0.0f ? memory.share : first; }
@@ -299,7 +306,7 @@ SHADER_FN float ray_sample_contribution(uint packed_sample) {
 /// together: each of the VLC_LEAST_LANES puts at most 512 of a leaf's samples, or 896 lights of it
 /// and its neighbours, into buckets of at most 64 slots.
 SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
-/// The same for a node's ray samples, for the same reasons: each lane of a subgroup of four looks
+/// The same for a node's ray samples, for the same reasons: each of four invocations looks
 /// at 1,024, and finding a quadtree's leaf takes 11 rounds at most.
 SHADER_CONST uint GUIDE_MOST_RAYS = 4096u;
 

@@ -119,8 +119,8 @@
         "cdq: Size of a quadtree in bits. The sizes have 25, 49, 73 and 97 leaves.") \
     GPU_REAL(pt_cdq_brdf, Session, Reference, 0.5, 0.0, 1.0, \
         "Guided rays: Share that the surface's BRDF draws all the same. 0: none.") \
-    GPU_INTEGER(pt_cdq_adapt, Archived, Reference, 1, 0, 1, \
-        "Guided rays: 1: Each leaf learns that share from what its rays brought, and begins with pt_cdq_brdf. 0: It is pt_cdq_brdf everywhere.") \
+    INTEGER(pt_cdq_adapt, Archived, Reference, 1, 0, 1, \
+        "Guided rays: 1: Each node of the octree learns that share from what its rays brought, and begins with pt_cdq_brdf. 0: It is pt_cdq_brdf everywhere.") \
     REAL(pt_cdq_margin, Archived, Reference, 0.25, 0.0, 1.0, \
         "cdq: A quadtree is refined where this share of a leaf's contribution exceeds what is given up.") \
     INTEGER(pt_cdq_rays, Archived, Reference, 512, 0, 1000000, \

@@ -116,7 +116,7 @@ TEST_P(DirectionsOfSize, AsManyMigrationsAsThereCanBe) {
     const uint32_t bits = GetParam();
     start(settings_for(16, 1.0f), 64, bits);
     Dice dice(bits + 8);
-    random_rays_frame(dice, 80, {Brought::Anything, 60, 4 * bits}, bits);
+    random_rays_frame(dice, 60, {Brought::Powers, 20, 4 * bits}, bits);
     if (HasFatalFailure()) return;
     EXPECT_GT(statistics_.cdq_migrations, 200u);
 }

@@ -44,8 +44,8 @@ protected:
         }));
     }
 
-    /// Sums of quadtrees, and what exploring brought, of the first `leaves` leaves: the octree's
-    /// floats.
+    /// The octree's floats: what exploring brought, shares of guided rays, and sums of quadtrees of
+    /// `bits` bits (0: there are none).
     static void expect_sound_memory(uint32_t bits) {
         const vkpt::Guiding& guiding = renderer().guiding();
         const vkpt::Guiding::Tree& tree = guiding.tree();
@@ -54,29 +54,22 @@ protected:
             renderer().device(), tree.leaves, 0, tree.leaves.bytes() / sizeof(uint32_t));
         const std::vector<uint32_t> nodes =
             gpu::download_now_as<uint32_t>(renderer().device(), tree.nodes, 0, 1 + capacity);
-        for (uint32_t leaf = 0; leaf < 8 * nodes[0]; ++leaf) {
-            if ((nodes[1 + leaf / 8] >> leaf % 8 & 1u) == 0u) continue; // an inner node
-            const auto expect_finite = [&](const shader::LeafArray& array, uint32_t count) {
-                const uint32_t first = shader::leaf_array_word(array, leaf, capacity);
-                for (uint32_t word = first; word < first + count; ++word)
-                    for (const uint32_t half : {0u, 1u})
-                        ASSERT_TRUE(
-                            shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
-                            << "leaf " << leaf;
-            };
-            expect_finite(shader::LEAF_EXPLORE, 2);
+        const auto expect_finite = [&](uint32_t first, uint32_t count, const char* what) {
+            for (uint32_t word = first; word < first + count; ++word)
+                for (const uint32_t half : {0u, 1u})
+                    ASSERT_TRUE(
+                        shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
+                        << what << ", word " << word;
+        };
+        for (uint32_t leaf = 0; leaf < 8 * nodes[0]; ++leaf)
+            if ((nodes[1 + leaf / 8] >> leaf % 8 & 1u) != 0u) // no inner node
+                expect_finite(shader::leaf_array_word(shader::LEAF_EXPLORE, leaf, capacity), 2,
+                              "explored");
+        for (uint32_t node = 0; bits > 0 && node < nodes[0]; ++node) {
+            const shader::NodeArray sums = shader::guide_memory(shader::CDQ_SUM_WORDS);
+            expect_finite(shader::node_array_word(shader::NODE_SHARE, node, capacity), 2, "share");
+            expect_finite(shader::node_array_word(sums, node, capacity), bits / 2, "sums");
         }
-        for (uint32_t node = 0; bits > 0 && node < nodes[0]; ++node)
-            for (const auto& [array, count] :
-                 {std::pair{shader::NODE_SHARE, shader::NODE_SHARE.words},
-                  std::pair{shader::guide_memory(shader::CDQ_SUM_WORDS), bits / 2}}) {
-                const uint32_t first = shader::node_array_word(array, node, capacity);
-                for (uint32_t word = first; word < first + count; ++word)
-                    for (const uint32_t half : {0u, 1u})
-                        ASSERT_TRUE(
-                            shader::is_finite_nonnegative(shader::unpack_sum(words[word], half)))
-                            << "node " << node;
-            }
     }
 
     uint32_t before_ = 0;

@@ -170,7 +170,7 @@ void VkptRenderer::select_sides() {
     }
     if (!compared) return;
     rebind_ |= right_->select(compared->technique, context);
-    right_->set_guide(guide_of(compared->guide));
+    right_->set_guide(choose_guide(compared->guide, settings_));
 }
 
 void VkptRenderer::prepare_sides(const refresh::Frame& frame) {
@@ -279,15 +279,6 @@ void VkptRenderer::follow_environment_setting() {
     reset_guiding();
 }
 
-void VkptRenderer::follow_guide_setting() {
-    if (settings_.pt_guide == guide_setting_) return;
-    guide_setting_ = settings_.pt_guide;
-    const auto guide = static_cast<Guide>(guide_setting_);
-    if (guide != Guide::brdf && !device_.features().subgroup_sums)
-        log_warning("pt_guide {}: {} lacks subgroup arithmetic. The BRDF alone draws rays.",
-                    guider_name(guide), device_.properties().deviceName);
-}
-
 bool VkptRenderer::prepare_ray_query() {
     try {
         return scene_->prepare_ray_query(use_ray_query(settings_));
@@ -299,12 +290,7 @@ bool VkptRenderer::prepare_ray_query() {
 }
 
 GuideChoice VkptRenderer::guide() const {
-    return guide_of(static_cast<Guide>(settings_.pt_guide));
-}
-
-GuideChoice VkptRenderer::guide_of(Guide guide) const {
-    // Adding up what rays brought takes subgroup operations that a device may lack.
-    return device_.features().subgroup_sums ? choose_guide(guide, settings_) : GuideChoice();
+    return choose_guide(static_cast<Guide>(settings_.pt_guide), settings_);
 }
 
 shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
@@ -352,7 +338,6 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         follow_environment_setting();
         select_sides();
         follow_trace_setting();
-        follow_guide_setting();
         rebind_ |= scene_->prepare(frame);
         rebind_ |= prepare_ray_query();
         rebind_ |= filter_.prepare(settings_, scene_->lights());

@@ -95,7 +95,6 @@ private:
     /// Follows the screen's size and what is traced of it.
     void resize(glm::uvec2 size);
     void make_buffers(glm::uvec2 size);
-    GuideChoice guide_of(Guide guide) const;
     /// Whether the right side is the left's, unfiltered.
     bool compares_raw() const;
     void select_sides();
@@ -110,7 +109,6 @@ private:
     void remember_shown(const refresh::Frame& frame, std::span<const PictureSide> sides);
     bool use_ray_query(const refresh::Settings& settings) const;
     void follow_trace_setting();
-    void follow_guide_setting();
     void follow_environment_setting();
     bool prepare_ray_query();
     shader::FrameParams frame_params(const refresh::Frame& frame);
@@ -152,7 +150,6 @@ private:
     bool traced_ = false; // there is a picture of this level and size, or what was drawn over black
     bool rebind_ = true;
     int trace_setting_ = -1;        // pt_trace as it was followed last
-    int guide_setting_ = -1;        // pt_guide, the same
     bool ray_query_failed_ = false; // with this level and setting
     bool frame_unfinished_ = false; // recorded, and not submitted
 

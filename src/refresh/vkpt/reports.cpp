@@ -113,10 +113,7 @@ refresh::GuidingReport VkptRenderer::report_guiding() const {
     report.earlier = earlier;
     if (report.quadtrees) {
         report.quadtree = report_cdq(earlier.guide, shown_.guide.size, hit->normal);
-        report.quadtree.share =
-            settings_.pt_cdq_adapt != 0
-                ? shader::share_of(earlier.guide_share, 1.0f - settings_.pt_cdq_brdf)
-                : 1.0f - settings_.pt_cdq_brdf;
+        report.quadtree.share = shader::share_of(earlier.guide_share, 1.0f - settings_.pt_cdq_brdf);
     }
     for (const std::vector<uint32_t>& ids : earlier.buckets) {
         std::vector<CachedLight>& bucket = report.buckets.emplace_back();

@@ -342,10 +342,6 @@ void Device::create_device(const DeviceOptions& options) {
                         features_.llvmpipe_mesa);
     features_.is_cpu = properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     features_.subgroup_size = subgroup.subgroupSize;
-    constexpr VkSubgroupFeatureFlags sums =
-        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT | VK_SUBGROUP_FEATURE_BALLOT_BIT;
-    features_.subgroup_sums = (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
-                              (subgroup.supportedOperations & sums) == sums;
     features_.shared_memory_bytes = properties_.limits.maxComputeSharedMemorySize;
     features_.max_storage_buffer_bytes = properties_.limits.maxStorageBufferRange;
     features_.timestamp_bits = queue_families(physical_)[queue_family_].timestampValidBits;

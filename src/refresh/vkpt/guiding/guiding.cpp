@@ -136,8 +136,10 @@ bool Guiding::prepare(const Options& options) {
                       options_.guide.guide == options.guide.guide;
     const uint32_t memory = options.settings.memory_rays > 0 ? memory_words(options.guide) : 0;
     // What the frame before left must fit: buckets of the same size, what the same guider learned,
-    // caches that were made in it, and a memory if the guider is to have one.
+    // shares if they are to be learned, caches that were made in it, and a memory if the guider is
+    // to have one.
     restart_ |= options_.settings.bucket != options.settings.bucket ||
+                options_.settings.adapt_share != options.settings.adapt_share ||
                 options_.guide != options.guide || options_.lights != options.lights ||
                 options_.settings.memory_words < memory;
     options_ = options;
