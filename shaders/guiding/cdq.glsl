@@ -36,8 +36,8 @@ shared uint sums[CDQ_MOST_BITS];        // squared contributions by leaf, as flo
 shared float moments[CDQ_MOST_BITS];    // of leaves, and of inner nodes above four of them; NO_MOMENT of others
 shared uint first_child[CDQ_MOST_BITS]; // of inner nodes; 0: a leaf
 shared uint group_parent[CDQ_MOST_BITS / 4u];
-shared uint group_depth[CDQ_MOST_BITS / 4u];
-shared uint group_slots[CDQ_MOST_BITS / 4u]; // first slot of a group, by its first bit
+shared uint group_keys[CDQ_MOST_BITS / 4u];  // level and path from the root (group_key): in their order groups stand in the field
+shared uint group_slots[CDQ_MOST_BITS / 4u]; // first slot of a group, by its place in the field
 shared uvec4 field;
 shared uint most_moment; // of all invocations' leaves, as a float's bits: those of positive floats are in their order
 shared uint least_moment;
@@ -46,11 +46,24 @@ shared uint least_inner;
 
 float even_density; // of the rays that the BRDF draws, where the quadtree's is 4^depth
 
+/// The key of children at a level (1: of the root), whose parents' numbers 0 to 3 make the path, the last in its lowest bits.
+const uint KEY_PATH_BITS = 2u * CDQ_MAX_DEPTH;
+uint group_key(uint depth, uint path) { return (depth << KEY_PATH_BITS) | path; }
+
+/// Level of a slot's node.
+uint depth_of(uint slot) { return group_keys[slot / 4u] >> KEY_PATH_BITS; }
+
+/// Key of a node's children.
+uint key_below(uint slot) {
+    const uint path = group_keys[slot / 4u] & ((1u << KEY_PATH_BITS) - 1u);
+    return group_key(depth_of(slot) + 1u, (path << 2u) | (slot & 3u));
+}
+
 float sum_of(uint slot) { return uintBitsToFloat(sums[slot]); }
 
 /// What a quadtree leaf adds to the second moment of its rays, in proportion: its sum over the density with which rays are drawn there
 /// now.
-float leaf_moment(uint slot) { return sum_of(slot) / (float(1u << (2u * group_depth[slot / 4u])) + even_density); }
+float leaf_moment(uint slot) { return sum_of(slot) / (float(1u << (2u * depth_of(slot))) + even_density); }
 
 float inner_moment(uint slot) {
     const uint child = first_child[slot];
@@ -59,33 +72,42 @@ float inner_moment(uint slot) {
 }
 
 void unfold(uvec4 tree) {
-    const uvec4 starts = cdq_level_starts(tree, GUIDER_SIZE);
     for (uint node = gl_LocalInvocationID.x; node < GUIDER_SIZE; node += LANES) {
         const uint child = cdq_is_inner(tree, node) ? cdq_child(tree, node, 0u) : 0u;
         first_child[node] = child;
         if (child != 0u) group_parent[child / 4u] = node;
-        if ((node & 3u) != 0u) continue;
-        group_depth[node / 4u] = cdq_depth(starts, node);
-        group_slots[node / 4u] = node;
     }
     if (gl_LocalInvocationID.x == 0u) group_parent[0] = NONE;
+    barrier();
+    for (uint group = gl_LocalInvocationID.x; group < GUIDER_SIZE / 4u; group += LANES) {
+        uint depth = 1u;
+        uint path = 0u;
+        for (uint parent = group_parent[group]; parent != NONE; parent = group_parent[parent / 4u]) {
+            path |= (parent & 3u) << (2u * (depth - 1u));
+            depth += 1u;
+        }
+        group_keys[group] = group_key(depth, path);
+        group_slots[group] = 4u * group;
+    }
 }
 
 /// The slot of a bit.
 uint slot_of(uint node) { return group_slots[node / 4u] + (node & 3u); }
 
-/// Makes the field again, level by level, with the slots of its bits.
+/// Makes the field again, with the slots of its bits.
 void fold() {
     if (gl_LocalInvocationID.x == 0u) field = uvec4(0u);
     barrier();
-    for (uint start = 0u, end = 4u; start < end; start = end, end = cdq_child(field, end, 0u)) {
-        for (uint node = start + gl_LocalInvocationID.x; node < end; node += LANES)
-            if (first_child[slot_of(node)] != 0u) atomicOr(field[node >> 5u], 1u << (node & 31u));
-        barrier();
-        for (uint node = start + gl_LocalInvocationID.x; node < end; node += LANES)
-            if (cdq_is_inner(field, node)) group_slots[cdq_child(field, node, 0u) / 4u] = first_child[slot_of(node)];
-        barrier();
+    for (uint group = gl_LocalInvocationID.x; group < GUIDER_SIZE / 4u; group += LANES) {
+        const uint key = group_keys[group];
+        uint place = 0u;
+        for (uint other = 0u; other < GUIDER_SIZE / 4u; ++other) place += group_keys[other] < key ? 1u : 0u;
+        group_slots[place] = 4u * group;
+        uint inner = 0u;
+        for (uint child = 0u; child < 4u; ++child) inner |= first_child[4u * group + child] != 0u ? 1u << child : 0u;
+        atomicOr(field[place / 8u], inner << (4u * (place % 8u)));
     }
+    barrier();
 }
 
 void add_sum(uint slot, float value) {
@@ -130,7 +152,7 @@ bool search(out uint leaf, out uint inner) {
                 least = moment;
                 inner = slot;
             }
-        } else if (moment > most && group_depth[slot / 4u] < CDQ_MAX_DEPTH) {
+        } else if (moment > most && depth_of(slot) < CDQ_MAX_DEPTH) {
             most = moment;
             leaf = slot;
         }
@@ -161,7 +183,7 @@ void migrate(uint inner, uint leaf) {
     moments[inner] = leaf_moment(inner);
     first_child[leaf] = group;
     group_parent[group / 4u] = leaf;
-    group_depth[group / 4u] = group_depth[leaf / 4u] + 1u;
+    group_keys[group / 4u] = key_below(leaf);
     for (uint slot = group; slot < group + 4u; ++slot) {
         sums[slot] = floatBitsToUint(0.25 * sum_of(leaf));
         moments[slot] = leaf_moment(slot);

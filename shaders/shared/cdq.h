@@ -78,22 +78,6 @@ SHADER_FN uint cdq_leaf(uvec4 tree, uint bits, uint leaf) { return cdq_select(~t
 /// The tree whose leaves' depths differ by one level at most.
 SHADER_FN uvec4 cdq_even_tree(uint bits) { return cdq_mask_below(cdq_inner_count(bits)); }
 
-/// Bit i: node i is the first of its level. For cdq_depth.
-SHADER_FN uvec4 cdq_level_starts(uvec4 tree, uint bits) {
-    uvec4 starts = uvec4(1u, 0u, 0u, 0u);
-    // The first children of a level are those of its first inner node; below the last level is the
-    // end of the field.
-    uint start = 4u;
-    for (uint depth = 2u; depth <= CDQ_MAX_DEPTH && start < bits; ++depth) {
-        starts[start >> 5u] |= 1u << (start & 31u);
-        start = 4u * (cdq_rank(tree, start) + 1u);
-    }
-    return starts;
-}
-
-/// Level of a node; children of the root are at 1.
-SHADER_FN uint cdq_depth(uvec4 starts, uint node) { return cdq_rank(starts, node + 1u); }
-
 /// A node's square in the unit square, and its level (children of the root are at 1).
 struct CdqCell {
     vec2 corner;
