@@ -125,7 +125,7 @@
         "cdq: A quadtree is refined where this share of a leaf's contribution exceeds what is given up.") \
     INTEGER(pt_cdq_rays, Archived, Reference, 512, 0, 1000000, \
         "Guided rays: Number of near and recent rays that a leaf follows. 0: those of one frame, as in the paper.") \
-    INTEGER(pt_cdq_migrations, Archived, Reference, 16, 0, 16, \
+    INTEGER(pt_cdq_migrations, Archived, Reference, 4, 0, 16, \
         "cdq: Most refinements of a quadtree per frame.") \
     GPU_REAL(pt_sky_scale, Session, Reference, 1.0, 0.0, 1e6, "Factor on the radiance of the sky.") \
     GPU_REAL(pt_sun_scale, Session, Reference, 1.0, 0.0, 1e6, "Factor on the irradiance of the sun.") \

@@ -58,7 +58,7 @@ const std::vector<Sweep>& sweeps() {
         {"pt_cdq_brdf", "vlc+cdq", {"0.1", "0.25", "0.75"}},
         {"pt_cdq_margin", "vlc+cdq", {"0.1", "0.5"}},
         {"pt_cdq_rays", "vlc+cdq", {"0", "128", "2048"}},
-        {"pt_cdq_migrations", "vlc+cdq", {"1", "4"}},
+        {"pt_cdq_migrations", "vlc+cdq", {"1", "16"}},
     };
     return table;
 }
