@@ -307,8 +307,9 @@ SHADER_FN float ray_sample_contribution(uint packed_sample) {
 /// and its neighbours, into buckets of at most 64 slots.
 SHADER_CONST uint VLC_MOST_SAMPLES = 4096u;
 /// The same for a node's ray samples, for the same reasons: each of four invocations looks
-/// at 1,024, and finding a quadtree's leaf takes 11 rounds at most.
-SHADER_CONST uint GUIDE_MOST_RAYS = 4096u;
+/// at 2,048, and finding a quadtree's leaf takes 11 rounds at most. Which ones it looks at depends on
+/// the order of threads, so small pictures repeat: the first node has no more rays.
+SHADER_CONST uint GUIDE_MOST_RAYS = 8192u;
 
 /// Of a node with `rays` > 0 rays one ray sample in so many is looked at.
 SHADER_FN uint guide_stride(uint rays) { return (rays + GUIDE_MOST_RAYS - 1u) / GUIDE_MOST_RAYS; }
