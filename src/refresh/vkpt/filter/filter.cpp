@@ -4,6 +4,8 @@
 #include "common/error.h"
 #include "common/log.h"
 
+#include "shared/filter_types.h"
+
 namespace vigil::vkpt {
 
 namespace {
