@@ -144,6 +144,8 @@
         "Pixels that trace indirect light in a filtered frame. half: every second one, in turns. Raw frames trace all.") \
     INTEGER(flt_enable, Archived, Picture, 1, 0, 1, \
         "Denoiser. 1: Light is averaged over time and over neighbouring pixels, except while pt_accumulate is 1. 0: The picture stays as it is traced.") \
+    INTEGER(flt_first, Archived, Nothing, 12, 0, 100, \
+        "Denoiser: Frames that are traced unseen before the first picture of a level, so that it is calm. Timed demos have none.") \
     GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \
         "Denoiser: Most frames that light is averaged over.") \
     INTEGER(flt_atrous, Session, Picture, 3, 0, 6, \

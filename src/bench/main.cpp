@@ -63,8 +63,9 @@ int main(int argc, char** argv) {
         command->callback([&, command] { status = bench.run(command->remaining()); });
     }
     try {
-        vigil::cvars().set("flt_enable",
-                           "0"); // what is measured is raw, unless a row says otherwise
+        // What is measured is raw, unless a row says otherwise, and begins with the first frame.
+        vigil::cvars().set("flt_enable", "0");
+        vigil::cvars().set("flt_first", "0");
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) fmt::print("{}", app.help());
         return status;

@@ -315,9 +315,10 @@ public:
     virtual glm::ivec2 picture_size(PictureHandle picture) const = 0;
 
     /// Renders one frame and, with a window, presents it. Before a level is loaded it shows draws
-    /// and overlay over black. Returns the frame's number, counted from 0. Throws Error if a draw
-    /// names no picture, and then has done nothing; or if memory or device fail, and then throws
-    /// again until a level is loaded.
+    /// and overlay over black. Before the first filtered frame of a level, unless it is uncapped,
+    /// flt_first more are traced that nobody sees. Returns the frame's number, counted from 0,
+    /// those included. Throws Error if a draw names no picture, and then has done nothing; or if
+    /// memory or device fail, and then throws again until a level is loaded.
     virtual uint64_t render(const Frame& frame) = 0;
 
     /// Who is told while render() waits for a compiler; null: nobody. It must outlive the renderer,

@@ -102,6 +102,31 @@ TEST_F(Filter, MakesACalmPictureOfTheSameLight) {
     EXPECT_NEAR(light, 1.0, 0.02);
 }
 
+TEST_F(Filter, TheFirstPictureOfALevelIsCalm) {
+    set("flt_enable", "1");
+    const Pixels noisy = picture("rooms", 0);
+    const Pixels ninth = picture("rooms", 8);
+    set("flt_first", "8");
+    const Pixels first = picture("rooms", 0);
+    EXPECT_EQ(first, ninth);
+    load("rooms");
+    const uint64_t number = renderer().render(shot_.frame());
+    EXPECT_EQ(renderer().render(shot_.frame()), number + 1); // once for a level
+    // A demo that is timed shows all that it traces.
+    load("rooms");
+    refresh::Frame timed = shot_.frame();
+    timed.uncapped = true;
+    renderer().render(timed);
+    const Pixels as_timed = renderer().read_radiance().rgb;
+    const Pixels expected = converged(256);
+    const double error = squared_difference(noisy, expected);
+    std::cout << fmt::format("squared error of the first picture: 1/{:.1f}; as timed {:.3f}\n",
+                             error / squared_difference(first, expected),
+                             squared_difference(as_timed, expected) / error);
+    EXPECT_LT(squared_difference(first, expected), 0.4 * error);
+    EXPECT_GT(squared_difference(as_timed, expected), 0.8 * error);
+}
+
 /// Sums of light over a picture's pixels that reflect it, one for each seed.
 struct Sums {
     std::vector<double> of;

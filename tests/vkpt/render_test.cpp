@@ -84,6 +84,7 @@ void RenderTest::SetUp() {
     set_size(48, 32);
     set("pt_jitter", "0");
     set("flt_enable", "0");
+    set("flt_first", "0");
 }
 
 void RenderTest::TearDown() {

@@ -63,7 +63,7 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     scene_ = std::move(scene);
     lister_ = std::move(lister);
     level_ = std::move(level);
-    traced_ = false;
+    traced_ = shown_a_frame_ = false;
     accumulated_ = 0;
     first_frame_ = frame_number_;
     accumulation_key_.clear();
@@ -322,6 +322,16 @@ void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
 }
 
 uint64_t VkptRenderer::render(const refresh::Frame& frame) {
+    const bool first = scene_ && frame.show_level && !shown_a_frame_;
+    if (first && Filter::wanted(frame.settings) && !frame.uncapped) {
+        // Nobody sees these: lights are learned, and the filter gets a past.
+        for (int i = 0; i < frame.settings.flt_first; ++i)
+            draw(frame, false);
+    }
+    return draw(frame, true);
+}
+
+uint64_t VkptRenderer::draw(const refresh::Frame& frame, bool shown) {
     settings_ = frame.settings;
     resize(screen_size());
     const size_t slot = frame_number_ % frames_in_flight;
@@ -375,13 +385,18 @@ uint64_t VkptRenderer::render(const refresh::Frame& frame) {
         const bool maps_directions = params.settings.pt_view == shader::VIEW_CDQ;
         view_accumulated_ = maps_directions ? view_accumulated_ + 1 : 0;
         remember_shown(frame, sides);
+        shown_a_frame_ |= shown;
     } else {
         traced_ = !frame.draws.empty();
         if (traced_) record_black(commands);
         shown_ = {};
     }
     draws_.record(commands);
-    present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);
+    if (shown) {
+        present(commands, overlay, settings_.vid_vsync != 0 && !frame.uncapped);
+    } else {
+        commands.submit(VK_NULL_HANDLE, gpu::Swapchain::wait_stage, VK_NULL_HANDLE);
+    }
     frame_unfinished_ = false;
     slot_frames_[slot] = {frame_number_, shown_.guided, shown_.right, resolution_.scale(),
                           device_.usage().take_uploads()};

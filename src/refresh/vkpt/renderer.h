@@ -113,6 +113,8 @@ private:
     bool prepare_ray_query();
     shader::FrameParams frame_params(const refresh::Frame& frame);
     void update_accumulation(const shader::FrameParams& params);
+    /// A frame, and whether it is presented.
+    uint64_t draw(const refresh::Frame& frame, bool shown);
     void finish_slot(size_t slot);
     /// The side that reports are about.
     const Side& shown_side() const { return shown_.right && right_ ? *right_ : left_; }
@@ -148,6 +150,7 @@ private:
     std::unique_ptr<Scene> scene_;
     refresh::CompilationWatcher* watcher_ = nullptr;
     bool traced_ = false; // there is a picture of this level and size, or what was drawn over black
+    bool shown_a_frame_ = false; // of this level
     bool rebind_ = true;
     int trace_setting_ = -1;        // pt_trace as it was followed last
     bool ray_query_failed_ = false; // with this level and setting
