@@ -56,10 +56,11 @@ void remember_buckets(uint leaf, uint first, uint kept, uint processed) {
         const uint word = words + VLC_BUCKET_WORDS * b;
         const float before = b == 0u ? 0.0 : uintBitsToFloat(old_caches[word - VLC_BUCKET_WORDS]);
         const float probability = max(uintBitsToFloat(old_caches[word]) - before, 0.0);
-        // The root of the unit: its square may be too large for a float.
+        // The unit's root: its square may be too large for a float, or too small.
         const float unit = probability * exp2(float(bucket_greatest[b]) - 65.0);
-        const float squares = float(bucket_squares[b]) / float(GREATEST_SQUARE) * unit * unit;
-        old_caches[word + 1u] = bucket_pack(bucket_update(bucket_unpack(old_caches[word + 1u]), float(bucket_draws[b]), squares));
+        const float drawn = float(bucket_draws[b]);
+        const float root = unit * sqrt(float(bucket_squares[b]) / (float(GREATEST_SQUARE) * max(drawn, 1.0)));
+        old_caches[word + 1u] = bucket_pack(bucket_update(bucket_unpack(old_caches[word + 1u]), drawn, root));
     }
 }
 

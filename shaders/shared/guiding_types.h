@@ -158,13 +158,21 @@ SHADER_FN BucketMemory bucket_unpack(uint word) {
 
 SHADER_FN uint bucket_pack(BucketMemory memory) { return pack_sums(memory.draws, memory.root); }
 
-/// The memory after a frame with so many draws, and the sum of the squares of their estimates.
-SHADER_FN BucketMemory bucket_update(BucketMemory memory, float draws, float squares) {
+/// The part 1 - t of `a` and t of `b`, none negative. Unlike mix(), which may take a small `b` from a large `a` to add it again, it is as
+/// exact as the smaller of both parts allows.
+SHADER_FN float weighted(float a, float b, float t) { return (1.0f - t) * a + t * b; }
+
+/// The memory after a frame with so many draws, and the root of the mean square of their estimates. Squares are of parts of the larger
+/// root: neither overflows nor vanishes.
+SHADER_FN BucketMemory bucket_update(BucketMemory memory, float draws, float root) {
     if (!(draws > 0.0f)) return memory;
     memory.draws = min(memory.draws + draws, BUCKET_DRAWS);
     const float fresh = min(draws / memory.draws, 1.0f);
-    const float before = min(memory.root, 1e18f);
-    memory.root = sqrt(mix(before * before, min(squares, EXPLORE_LARGEST_SUM) / draws, fresh));
+    const float larger = max(memory.root, root);
+    if (!(larger > 0.0f)) return memory;
+    const float before = memory.root / larger;
+    const float now = root / larger;
+    memory.root = larger * sqrt(weighted(before * before, now * now, fresh));
     return memory;
 }
 
@@ -209,7 +217,7 @@ SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float
     memory.found = min(kept * memory.found + found, EXPLORE_LARGEST_SUM);
     if (!(drawn > 0.0f)) return memory;
     const float fresh = memory.cached > 0.0f ? min(drawn / EXPLORE_DRAWS, 1.0f) : 1.0f;
-    memory.cached = mix(memory.cached, min(squares, EXPLORE_LARGEST_SUM) / drawn, fresh);
+    memory.cached = weighted(memory.cached, min(squares, EXPLORE_LARGEST_SUM) / drawn, fresh);
     const float odds = sqrt(memory.found);
     const float others = sqrt(memory.listed) * sqrt(memory.cached);
     memory.share = odds > 0.0f ? min(odds / (odds + others), EXPLORE_MOST) : 0.0f;

@@ -120,8 +120,9 @@ Sums splittable(const Sums& sums, const QuadtreeLimits& limits) {
 using Slots = ByPath<size_t>;
 
 /// Those that may be the largest (`sign` 1) or the least (-1) of sums with a relative `error`. Of
-/// equal ones it is the one in the lowest slot: floats are equal there, too, as they come from the
-/// same samples or are parts of one sum.
+/// equal ones it is the one in the lowest slot, if floats are equal there, too: they are where all
+/// are exact, where nothing was brought, and where four leaves are parts of one sum. Other equal
+/// sums may come from different samples, whose powers of two a GPU need not round alike.
 std::vector<Path> extremes(const Sums& sums, const Slots& slots, double sign, double error,
                            bool& tied) {
     double best = -1e300;
@@ -131,11 +132,12 @@ std::vector<Path> extremes(const Sums& sums, const Slots& slots, double sign, do
         in_order[slots.at(path)] = {path, sum};
     }
     std::vector<Path> found;
-    std::set<double> seen;
+    std::set<std::pair<Path, double>> seen; // of children of one node where there is an error
     for (const auto& [slot, candidate] : in_order) {
         const auto& [path, sum] = candidate;
         if (best - sign * sum > 2.0 * error * std::abs(best)) continue;
-        if (seen.insert(sum).second)
+        const bool parts = error > 0.0 && sum > 0.0;
+        if (seen.emplace(parts ? path.substr(0, path.size() - 1) : Path(), sum).second)
             found.push_back(path);
         else
             tied |= sum > 0.0;

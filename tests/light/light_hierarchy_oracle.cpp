@@ -45,8 +45,15 @@ double mean_above(double middle, double reach) {
     return top <= 0.0 ? 0.0 : top * top / (4.0 * reach);
 }
 
+/// What an error of `slack` in both numbers does to that mean, as a part of it.
+double mean_error(double middle, double reach, double slack) {
+    if (middle >= reach) return slack / middle;
+    return 2.0 * slack / (middle + reach) + slack / reach;
+}
+
 struct ChildImportance {
     double value;
+    double error; // by which single precision may be off, as a part of the value
     bool doubtful;
 };
 
@@ -65,14 +72,44 @@ ChildImportance child_importance(const OracleChild& child, double reach, glm::dv
     const double turned = child.spread * farthest;
     const double slack = 1e-6 * reach;
     const double highest = height + height_reach, foremost = facing + facing_reach + turned;
-    ChildImportance result{0.0, std::abs(highest + slack) < 0.4 * slack ||
-                                    std::abs(foremost + slack) < 0.4 * slack};
+    ChildImportance result{0.0, 0.0,
+                           std::abs(highest + slack) < 0.4 * slack ||
+                               std::abs(foremost + slack) < 0.4 * slack};
     if (highest <= -slack || foremost <= -slack) return result;
 
     const double mean = facing * (1.0 - child.spread * child.spread / 4.0);
-    const double per_energy = mean_above(height, height_reach) *
-                              mean_above(mean, facing_reach + 0.4 * turned) / (squared * squared);
-    result.value = child.energy * std::max(per_energy, 1e-15 / (reach * reach));
+    const double mean_reach = facing_reach + 0.4 * turned;
+    const double per_energy =
+        mean_above(height, height_reach) * mean_above(mean, mean_reach) / (squared * squared);
+    const double least = 1e-15 / (reach * reach), rounding = 2e-6 * reach;
+    result.value = child.energy * std::max(per_energy, least);
+    if (per_energy > least)
+        result.error = mean_error(height, height_reach, rounding) +
+                       mean_error(mean, mean_reach, rounding) + 4.0 * rounding / std::sqrt(squared);
+    return result;
+}
+
+struct LightImportance {
+    double value;
+    double error;
+};
+
+/// The importance that shaders give a light of a leaf. Its error is what happens to it where single
+/// precision moves the surface a little.
+LightImportance light_importance(const shader::Light& light, const shader::LtcSurface& surface) {
+    float farthest = 0.0f;
+    for (const glm::vec3 corner : {light.v0, light.v0 + light.e1, light.v0 + light.e2})
+        farthest = std::max(farthest, glm::distance(corner, surface.position));
+    const auto value_at = [&](glm::vec3 offset) {
+        shader::LtcSurface moved = surface;
+        moved.position += 4e-6f * farthest * offset;
+        return static_cast<double>(shader::ltc_importance(moved, light, true));
+    };
+    LightImportance result{value_at(glm::vec3(0.0f)), 0.0};
+    for (const glm::vec3 side :
+         {surface.normal, glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
+        for (const float sign : {-1.0f, 1.0f})
+            result.error = std::max(result.error, std::abs(value_at(sign * side) - result.value));
     return result;
 }
 
@@ -126,13 +163,14 @@ OracleProbabilities oracle_probabilities(const HierarchyWords& words,
                                          const shader::LtcSurface& surface) {
     OracleProbabilities result;
     result.by_light.resize(lights.size(), 0.0);
+    result.errors.resize(lights.size(), 0.0);
     if (words.header.light_count == 0) return result;
     const glm::dvec3 position(surface.position), normal(surface.normal);
     struct Visit {
         uint32_t node;
-        double probability;
+        double probability, error;
     };
-    std::vector<Visit> visits{{0, 1.0}};
+    std::vector<Visit> visits{{0, 1.0, 0.0}};
     while (!visits.empty()) {
         const Visit visit = visits.back();
         visits.pop_back();
@@ -145,35 +183,45 @@ OracleProbabilities oracle_probabilities(const HierarchyWords& words,
                               position[static_cast<glm::length_t>(axis)]) +
                      255.0 * step;
         }
-        std::vector<double> weights;
+        std::vector<double> weights, errors;
         double largest = 0.0, sum = 0.0;
         for (const OracleChild& child : children) {
             const ChildImportance importance = child_importance(child, reach, position, normal);
             result.doubtful |= importance.doubtful;
             weights.push_back(importance.value);
+            errors.push_back(importance.error);
             largest = std::max(largest, importance.value);
         }
         for (double& weight : weights) {
             if (weight > 0.0) weight = std::max(weight, largest / 4096.0);
             sum += weight;
         }
+        double sum_error = 0.0;
+        for (size_t i = 0; i < children.size(); ++i)
+            if (weights[i] > 0.0) sum_error += weights[i] / sum * errors[i];
         for (size_t i = 0; i < children.size(); ++i) {
             if (!(weights[i] > 0.0)) continue;
             const double probability = visit.probability * weights[i] / sum;
+            const double error = visit.error + errors[i] + sum_error;
             if (children[i].inner) {
-                visits.push_back({children[i].node, probability});
+                visits.push_back({children[i].node, probability, error});
                 continue;
             }
             const std::vector<uint32_t> ids = lights_of_leaf(words, children[i]);
-            double all = 0.0;
-            for (const uint32_t id : ids)
-                all += static_cast<double>(shader::ltc_importance(surface, lights[id], true));
-            for (const uint32_t id : ids)
-                if (all > 0.0)
-                    result.by_light[id] =
-                        probability *
-                        static_cast<double>(shader::ltc_importance(surface, lights[id], true)) /
-                        all;
+            double all = 0.0, all_errors = 0.0;
+            std::vector<LightImportance> importances;
+            for (const uint32_t id : ids) {
+                importances.push_back(light_importance(lights[id], surface));
+                all += importances.back().value;
+                all_errors += importances.back().error;
+            }
+            for (size_t k = 0; k < ids.size(); ++k) {
+                if (!(all > 0.0)) break;
+                const auto& [value, own_error] = importances[k];
+                result.by_light[ids[k]] = probability * value / all;
+                result.errors[ids[k]] =
+                    probability * (error * value + own_error + value / all * all_errors) / all;
+            }
         }
     }
     return result;

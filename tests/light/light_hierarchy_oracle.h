@@ -40,7 +40,8 @@ std::vector<uint32_t> lights_of_leaf(const HierarchyWords& words, const OracleCh
 
 struct OracleProbabilities {
     std::vector<double> by_light;
-    bool doubtful = false; // some child is so near to being cut off that rounding decides
+    std::vector<double> errors; // by which single precision on the way to a leaf may be off
+    bool doubtful = false;      // some child is so near to being cut off that rounding decides
 };
 
 /// Probability of every light at a surface; `importance` is that of lights in leaves.
