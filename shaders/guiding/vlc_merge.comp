@@ -138,11 +138,11 @@ void main() {
     find_lists(leaf);
     barrier();
 
-    // Join the lists. Every leaf may fill an equal part of the buffer: it never runs out. Lights seen last frame come first:
-    // older ones are kept only where there is room for all.
+    // Join the lists. Every leaf that makes a cache may fill an equal part of the buffer: it never runs out. Lights seen last frame come
+    // first: older ones are kept only where there is room for all.
     uint total = 0u;
     for (uint list = 0u; list < LISTS; ++list) total += list_length[list];
-    const uint quota = header.vlc_capacity / (vlc_cache_words(1u, settings.bucket) * (7u * old_node_count + 1u));
+    const uint quota = header.vlc_capacity / (vlc_cache_words(1u, settings.bucket) * work.merge_groups.x);
     const uint most_buckets = min(table_most_buckets(), power_of_two_below(max(quota, 1u)));
     const bool keep = 3u * (total + lights_before) <= 2u * most_buckets * settings.bucket;
     const uint table_buckets = min(table_bucket_count(keep ? total + lights_before : total), most_buckets);

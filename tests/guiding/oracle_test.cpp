@@ -215,7 +215,7 @@ TEST_F(VlcOracle, AFullBucketKeepsItsFirstIds) {
 
 TEST_F(VlcOracle, TheBufferLimitsBuckets) {
     CacheLimits narrow = plenty;
-    narrow.vlc_capacity = (4 + 2) * 8 * 3; // 3, so 2 buckets for each of 8 leaves
+    narrow.vlc_capacity = (4 + 2) * 3; // 3, so 2 buckets for the leaf that has samples
     const Cache found = cache(seen(range(0, 100)), {}, narrow);
     EXPECT_EQ(found.own.size(), 100u);
     EXPECT_EQ(found.buckets, (Buckets{{0, 64, 32, 96}, {1, 65, 33, 97}}));
@@ -278,7 +278,7 @@ TEST_F(VlcOracle, LightsThatWereNotSeenMustAllHaveRoom) {
     const InnerNodes inner{""};
     CacheLimits limits = plenty;
     limits.persist = 4;
-    limits.vlc_capacity = (4 + 2) * 8 * 2; // two buckets of four for each leaf: room for 5.3 lights
+    limits.vlc_capacity = (4 + 2) * 2; // two buckets of four for the leaf: room for 5.3 lights
     const std::vector<uint32_t> own = seen({1, 2, 3});
     for (const uint32_t before : {2u, 3u}) {
         ByPath<LeafSamples> samples;

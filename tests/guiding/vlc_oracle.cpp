@@ -215,10 +215,13 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
                                             : leaf_samples.explored;
     }
 
-    // All caches together fit in the buffer, even if every leaf used its quota.
-    const auto leaves = static_cast<uint32_t>(7 * inner.size() + 1);
-    const uint32_t quota =
-        power_below(std::max(1u, limits.vlc_capacity / ((limits.bucket + 2) * leaves)));
+    // All caches together fit in the buffer, even if every leaf that has samples or had a cache
+    // used its quota.
+    const auto listed = static_cast<uint32_t>(std::ranges::count_if(samples, [](const auto& leaf) {
+        return leaf.second.count > 0 || leaf.second.previous_buckets > 0;
+    }));
+    const uint32_t quota = power_below(
+        std::max(1u, limits.vlc_capacity / ((limits.bucket + 2) * std::max(listed, 1u))));
 
     const uint32_t most_buckets = std::min(most_table_buckets(limits.bucket), quota);
 

@@ -81,7 +81,7 @@ ChildImportance child_importance(const OracleChild& child, double reach, glm::dv
     const double mean_reach = facing_reach + 0.4 * turned;
     const double per_energy =
         mean_above(height, height_reach) * mean_above(mean, mean_reach) / (squared * squared);
-    const double least = 1e-15 / (reach * reach), rounding = 2e-6 * reach;
+    const double least = 1e-15 / (reach * reach), rounding = 4e-6 * reach;
     result.value = child.energy * std::max(per_energy, least);
     if (per_energy > least)
         result.error = mean_error(height, height_reach, rounding) +
@@ -102,7 +102,7 @@ LightImportance light_importance(const shader::Light& light, const shader::LtcSu
         farthest = std::max(farthest, glm::distance(corner, surface.position));
     const auto value_at = [&](glm::vec3 offset) {
         shader::LtcSurface moved = surface;
-        moved.position += 4e-6f * farthest * offset;
+        moved.position += 8e-6f * farthest * offset;
         return static_cast<double>(shader::ltc_importance(moved, light, true));
     };
     LightImportance result{value_at(glm::vec3(0.0f)), 0.0};

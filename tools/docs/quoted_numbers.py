@@ -13,8 +13,9 @@ KEY is one of these:
 
 - TABLE/ROW/COLUMN[/N]: of the table below a line <!--table TABLE--> in a page, the N-th number (1) of the cell; "all" is the
   whole cell. ROW is the first cell of the row, COLUMN that of the head, both without `, * and links.
-- REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full, the row with this label in the part of this name; PATH has the names of
-  fields and indices, with dots between them. Of an interval it is the value.
+- REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full (FOLDER.REPORT: in that folder of docs/results), the row with
+  this label in the part of this name; PATH has the names of fields and indices, with dots between them. Of an interval it
+  is the value.
 - cvar:NAME: the default of a variable, as docs/play/cvars.md has it.
 
 FORMAT: D digits ("2"); "D%" the same as a percentage with D decimals; "1/D" the reciprocal; "D+" the share above 1, as a percentage.
@@ -73,7 +74,8 @@ def read_tables(texts):
 
 @cache
 def report(root, name):
-    return json.loads((root / "docs/results/full" / f"{name}.json").read_text())
+    folder, _, file = name.rpartition(".")
+    return json.loads((root / "docs/results" / (folder or "full") / f"{file}.json").read_text())
 
 
 def of_report(root, key):

@@ -6,7 +6,6 @@
 #include "shared/scene_types.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
@@ -20,8 +19,10 @@ constexpr uint64_t plan_words = 4;
 /// A work group per leaf must fit into one dimension of a dispatch, which Vulkan lets end at
 /// 65,535.
 constexpr uint32_t most_nodes = 8192, least_nodes = 64;
-/// Light ids per leaf that the caches have room for on average, with all nodes in use.
-constexpr uint64_t cache_words_per_leaf = shader::VLC_LARGEST_BUCKET + shader::VLC_BUCKET_WORDS;
+/// Words of caches for each leaf that a tree may have: at least one largest bucket. Most leaves
+/// have no cache, so that in a hall of a thousand lamps one may have 16 buckets or more.
+constexpr uint64_t cache_words_per_leaf = 104;
+static_assert(cache_words_per_leaf >= shader::VLC_LARGEST_BUCKET + shader::VLC_BUCKET_WORDS);
 /// Light samples per pixel that there is room for. A frame stores two at most; the rest is for
 /// leaves that expect more than they get.
 constexpr uint64_t samples_per_pixel = 4;
@@ -122,12 +123,11 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide
 
 uint32_t Guiding::node_capacity(const Options& options) {
     // Every node whose children are leaves holds `collapse` samples or vanishes; there are no more
-    // than two samples per pixel. Twice as many for the nodes above them, and again for those that
-    // still vanish.
+    // than two samples per pixel. As many again for the nodes above them. Trees have a quarter of
+    // that; beyond it leaves stay whole.
     const uint64_t samples = uint64_t{2} * options.picture_size.x * options.picture_size.y;
-    const uint64_t nodes = 4 * samples / std::max(options.settings.collapse, 1u);
-    return std::bit_ceil(
-        static_cast<uint32_t>(std::clamp<uint64_t>(nodes, least_nodes, most_nodes)));
+    const uint64_t nodes = 2 * samples / std::max(options.settings.collapse, 1u);
+    return static_cast<uint32_t>(std::clamp<uint64_t>(nodes, least_nodes, most_nodes));
 }
 
 bool Guiding::prepare(const Options& options) {
