@@ -135,8 +135,8 @@ def slim(value):
 def write_summary(found, target):
     """README.md, a picture per plot and a small JSON per experiment."""
     target.mkdir(parents=True, exist_ok=True)
-    devices = sorted({report["device"].split(",")[0].split(" (")[0] for _, _, _, report in found})
-    lines = [f"# Measured on {' and '.join(devices)}", "", " ".join(summary.sentences([report for _, _, _, report in found])), "",
+    reports = [report for _, _, _, report in found]
+    lines = [f"# Measured on {' and '.join(summary.devices(reports))}", "", " ".join(summary.sentences(reports)), "",
              f"Written by `./run report --summary`. {TABLES_TEXT} [quality.md](../../research/quality.md) explains them."]
     for name, title, plots, report in found:
         figures = list(plots.draw(report))

@@ -36,13 +36,17 @@ def range_of(found):
     return f"{tables.number(least)} ({first}) to {tables.number(most)} ({last})"
 
 
+def devices(reports):
+    """Their names, without versions."""
+    return sorted({report["device"].split(",")[0].split(" (")[0] for report in reports})
+
+
 def sentences(reports):
     """What was measured, how good it is, what it costs."""
     by_name = {report["measured"]: report for report in reports}
     commits = sorted({report["commit"] for report in reports})
-    devices = sorted({report["device"].split(" (")[0] for report in reports})
     said = [f"This page has {len(reports)} experiment{'s' * (len(reports) != 1)} of commit{'s' * (len(commits) != 1)} "
-            f"{', '.join(commits)} on {', '.join(devices)}."]
+            f"{', '.join(commits)} on {', '.join(devices(reports))}."]
     quality = by_name.get("quality")
     errors = ratios(quality, "vlc", "trimmed_mse", "ratio_at_equal_time") if quality else []
     if errors:
