@@ -79,9 +79,9 @@ vec3 view_color(uvec2 pixel, vec3 picture) {
     }
     case VIEW_TRIANGLE: return (0.4 + 0.6 * facing) * number_color(hit.primitive);
     case VIEW_LIGHT: {
-        const uint light = primitives[hit.primitive].light;
+        const uint light = load_primitive(hit.primitive).light;
         if (light == NONE) return facing * VIEW_NO_LIGHT;
-        return number_color((HAS_INSTANCES ? instances[hit.instance].first_light : 0u) + light);
+        return number_color((HAS_INSTANCES ? load_instance(hit.instance).first_light : 0u) + light);
     }
     default: return vec3(0.0);
     }

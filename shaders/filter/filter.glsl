@@ -7,16 +7,48 @@
 #include "scene/frame.glsl"
 #include "shared/brdf.h"
 #include "shared/filter_types.h"
+#include "trace/records.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // Those of two frames have two halves; frame.filter_half says which is this frame's.
-layout(set = SET_FILTER, binding = BINDING_FILTER_SURFACES, scalar) restrict buffer FilterSurfaceBlock { FilterSurface filter_surfaces[]; };
-layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY, scalar) restrict buffer FilterHistoryBlock { FilterHistory filter_history[]; };
-layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT, scalar) restrict buffer FilterLightBlock { uvec4 filter_light[]; }; // pack_light()
+layout(set = SET_FILTER, binding = BINDING_FILTER_SURFACES, scalar) restrict writeonly buffer FilterSurfaceBlock {
+    FilterSurface filter_surfaces[];
+};
+layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY, scalar) restrict writeonly buffer FilterHistoryBlock {
+    FilterHistory filter_history[];
+};
+layout(set = SET_FILTER, binding = BINDING_FILTER_STATISTICS, scalar) restrict writeonly buffer FilterStatisticsBlock {
+    FilterStatistics filter_statistics[];
+};
+layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT, scalar) restrict writeonly buffer FilterLightBlock {
+    uvec4 filter_light[];
+}; // pack_light()
+// The same to read.
+layout(set = SET_FILTER, binding = BINDING_FILTER_SURFACE_RECORDS) uniform utextureBuffer surface_records;
+layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY_RECORDS) uniform utextureBuffer history_records;
+layout(set = SET_FILTER, binding = BINDING_FILTER_STATISTICS_RECORDS) uniform utextureBuffer statistics_records;
+layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_RECORDS) uniform utextureBuffer light_records;
 layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED, scalar) restrict buffer FilterResolvedBlock {
     uvec2 filter_resolved[];
 }; // pack_color()
+
+FilterSurface load_surface(uint index) {
+    const uvec4 words = texelFetch(surface_records, int(index));
+    return FilterSurface(words.x, uintBitsToFloat(words.y), words.z, words.w);
+}
+
+FilterHistory load_history(uint index) {
+    const uvec4 words = texelFetch(history_records, int(index));
+    return FilterHistory(words.xy, words.zw);
+}
+
+FilterStatistics load_statistics(uint index) {
+    const uvec4 words = texelFetch(statistics_records, int(index));
+    return FilterStatistics(words.x, words.y, words.z, words.w);
+}
+
+uvec4 load_packed_light(uint index) { return texelFetch(light_records, int(index)); }
 
 uint this_half() { return frame.filter_half * frame.filter_capacity; }
 uint last_half() { return (1u - frame.filter_half) * frame.filter_capacity; }

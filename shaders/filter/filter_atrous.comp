@@ -25,7 +25,7 @@ vec2 smooth_variance(ivec2 pixel, uint source, vec2 deviation) {
         for (int x = -1; x <= 1; ++x) {
             const ivec2 step = ivec2(x, y);
             if (!inside_picture(pixel + step)) continue;
-            const vec2 near = unpackHalf2x16(filter_light[source + pixel_index(pixel + step)].w);
+            const vec2 near = unpackHalf2x16(load_packed_light(source + pixel_index(pixel + step)).w);
             sum += kernel_weight(step) * near * near;
             weights += kernel_weight(step);
         }
@@ -39,8 +39,8 @@ Light2 light_around(ivec2 pixel, uint source, Light2 middle) {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             const ivec2 at = pixel + ivec2(x, y);
-            if (x == 0 && y == 0 || !same_side(at, pixel) || filter_surfaces[this_half() + pixel_index(at)].depth == 0.0) continue;
-            const Light2 light = unpack_light(filter_light[source + pixel_index(at)]);
+            if (x == 0 && y == 0 || !same_side(at, pixel) || load_surface(this_half() + pixel_index(at)).depth == 0.0) continue;
+            const Light2 light = unpack_light(load_packed_light(source + pixel_index(at)));
             const vec2 weight = 1.0 / (middle.deviation + luminances(light.direct, light.indirect) + 1e-6);
             sum.direct += weight.x * light.direct;
             sum.indirect += weight.y * light.indirect;
@@ -56,8 +56,8 @@ void main() {
     const uint index = pixel_index(pixel);
     const uint source = (filter_step & 1u) * frame.filter_capacity;
     const uint target = frame.filter_capacity - source;
-    const FilterSurface surface = filter_surfaces[this_half() + index];
-    const uvec4 packed = filter_light[source + index];
+    const FilterSurface surface = load_surface(this_half() + index);
+    const uvec4 packed = load_packed_light(source + index);
     if (surface.depth == 0.0) {
         filter_light[target + index] = packed;
         return;
@@ -83,9 +83,9 @@ void main() {
         const ivec2 at = pixel + stride * step;
         if (!same_side(at, pixel)) continue;
         const uint there = pixel_index(at);
-        const FilterSurface other = filter_surfaces[this_half() + there];
+        const FilterSurface other = load_surface(this_half() + there);
         if (other.depth == 0.0) continue;
-        const Light2 light = unpack_light(filter_light[source + there]);
+        const Light2 light = unpack_light(load_packed_light(source + there));
         // How much the other surface is like this one, and how much its light may be the same.
         const float off_plane = abs(other.depth * (along + dot(vec2(step), along_step)) - own_distance) * per_distance;
         // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.

@@ -10,7 +10,7 @@
 vec3 lit_surface(uint index) {
     const PrimaryHit hit = primary_hits[index];
     if (hit.primitive == NONE) return vec3(0.0);
-    const Light2 light = unpack_light(filter_light[(filter_step & 1u) * frame.filter_capacity + index]);
+    const Light2 light = unpack_light(load_packed_light((filter_step & 1u) * frame.filter_capacity + index));
     return filter_albedo(hit) * (light.direct + light.indirect);
 }
 

@@ -62,7 +62,7 @@ void main() {
         for (int x = -1; x <= 1; ++x) {
             const ivec2 at = ivec2(pixel) + ivec2(x, y);
             if (!inside_side(uvec2(at))) continue;
-            const vec3 color = compress(unpack_color(filter_light[composed_index(pixel_index(at))].xy), factor);
+            const vec3 color = compress(unpack_color(load_packed_light(composed_index(pixel_index(at))).xy), factor);
             if (x == 0 && y == 0) middle = color;
             sum += color;
             squares += color * color;
@@ -70,7 +70,7 @@ void main() {
             brightest = max(brightest, color);
             count += 1.0;
             if (x != 0 && y != 0) continue;
-            const float depth = filter_surfaces[this_half() + pixel_index(at)].depth;
+            const float depth = load_surface(this_half() + pixel_index(at)).depth;
             if (depth > 0.0 && depth < nearest) {
                 nearest = depth;
                 front = at;
@@ -84,8 +84,8 @@ void main() {
 
     // Light that is new, at a place or altogether, is shown at once.
     float new_part = NEW_PART;
-    if (filter_surfaces[this_half() + index].depth > 0.0)
-        new_part = max(NEW_PART, 1.0 / max(unpackHalf2x16(filter_history[this_half() + index].lengths).x, 1.0));
+    if (load_surface(this_half() + index).depth > 0.0)
+        new_part = max(NEW_PART, 1.0 / max(unpackHalf2x16(load_statistics(this_half() + index).lengths).x, 1.0));
     vec3 value = middle;
     vec2 place;
     vec3 before;

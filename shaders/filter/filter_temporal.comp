@@ -37,7 +37,7 @@ void main() {
     if (any(greaterThanEqual(pixel, frame.size))) return;
     const uint index = pixel_index(ivec2(pixel));
     const PrimaryHit hit = primary_hits[index];
-    FilterSurface surface = FilterSurface(0u, 0.0, 0u, NONE, NONE, 0u);
+    FilterSurface surface = FilterSurface(0u, 0.0, 0u, 0u);
     if (hit.primitive == NONE) {
         filter_surfaces[this_half() + index] = surface;
         filter_light[index] = uvec4(0u);
@@ -46,8 +46,6 @@ void main() {
     surface.facing = pack_facing(hit.normal, hit.gloss);
     surface.depth = max(dot(hit.position - frame.camera_origin, frame.camera_forward), 1e-3);
     surface.id = hit.instance;
-    surface.direct_light = filter_input[index].direct_light;
-    surface.indirect_light = filter_input[index].indirect_light;
     surface.brightness = packHalf2x16(sample_brightness(index));
     filter_surfaces[this_half() + index] = surface;
 
@@ -88,9 +86,9 @@ void main() {
     const vec2 second_moments = mix(past.second_moments, bright * bright, part);
     joined.direct = pack_color(mean_direct);
     joined.indirect = pack_color(mean_indirect);
-    joined.second_moments = packHalf2x16(sqrt(second_moments));
-    joined.lengths = packHalf2x16(1.0 / share);
     filter_history[this_half() + index] = joined;
+    filter_statistics[this_half() + index] = FilterStatistics(packHalf2x16(sqrt(second_moments)), packHalf2x16(1.0 / share),
+                                                              filter_input[index].direct_light, filter_input[index].indirect_light);
 
     // How far the means may be off: from their own past, or, while that is short, from the tiles around.
     const bvec2 young = lessThan(frames, vec2(YOUNG));

@@ -33,15 +33,16 @@ void main() {
                          bright);
         }
         if (!changes || !has_past) continue;
-        const FilterSurface last = filter_surfaces[last_half() + index];
+        const FilterSurface last = load_surface(last_half() + index);
         if (last.depth == 0.0) continue;
         const vec2 bright = unpackHalf2x16(last.brightness);
-        tile.changed += vec4(bright * vec2(light_change(last.direct_light), light_change(last.indirect_light)), bright);
+        const FilterStatistics drawn = load_statistics(last_half() + index);
+        tile.changed += vec4(bright * vec2(light_change(drawn.direct_light), light_change(drawn.indirect_light)), bright);
     }
     tile.mean /= max(count, vec2(1.0));
     tile.second_moments /= max(count, vec2(1.0));
     const uint index = tile_index(place);
-    const FilterTile before = filter_tiles[index];
+    const FilterTile before = load_tile(index);
     if (has_past && is_finite_nonnegative(vec3(before.mean, dot(before.second_moments, vec2(1.0))))) {
         // What was known of lamps that have changed is of no use.
         const vec2 part = clamp(tile.changed.xy / max(tile.changed.zw, vec2(1e-6)), vec2(NEW_PART), vec2(1.0));

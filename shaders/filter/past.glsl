@@ -37,21 +37,23 @@ Then point_before(PrimaryHit hit, FilterSurface surface) {
 }
 
 bool shows_plane(uint index, ivec2 pixel, Then then) {
-    const float depth = filter_surfaces[index].depth;
-    if (depth == 0.0 || filter_surfaces[index].id != then.id) return false;
-    return abs(depth * dot(then.along, vec3(1.0, pixel)) - dot(then.offset, then.facing.xyz)) < then.tolerance;
+    const FilterSurface surface = load_surface(index);
+    if (surface.depth == 0.0 || surface.id != then.id) return false;
+    return abs(surface.depth * dot(then.along, vec3(1.0, pixel)) - dot(then.offset, then.facing.xyz)) < then.tolerance;
 }
 
 bool shows_same(uint index, ivec2 pixel, Then then) {
-    return shows_plane(index, pixel, then) && alike(unpackSnorm4x8(filter_surfaces[index].facing), then.facing) >= 0.2;
+    return shows_plane(index, pixel, then) && alike(unpackSnorm4x8(load_surface(index).facing), then.facing) >= 0.2;
 }
 
 void add_past(inout Past past, uint index, float weight) {
-    const vec2 moments = unpackHalf2x16(filter_history[index].second_moments);
-    past.direct += weight * unpack_color(filter_history[index].direct);
-    past.indirect += weight * unpack_color(filter_history[index].indirect);
+    const FilterHistory history = load_history(index);
+    const FilterStatistics statistics = load_statistics(index);
+    const vec2 moments = unpackHalf2x16(statistics.second_moments);
+    past.direct += weight * unpack_color(history.direct);
+    past.indirect += weight * unpack_color(history.indirect);
     past.second_moments += weight * moments * moments;
-    past.frames += weight * unpackHalf2x16(filter_history[index].lengths);
+    past.frames += weight * unpackHalf2x16(statistics.lengths);
 }
 
 /// Direct light at a place `within` the four pixels from `first` on, which all show the surface, by the pixels around as well: a mean of four in every
@@ -69,7 +71,7 @@ void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
         const float weight = weights[tap.x].x * weights[tap.y].y;
         const uint index = last_index(at);
         if (abs(weight) < 1e-3 || i >= 4 && !shows_plane(index, at, then)) continue;
-        direct += weight * unpack_color(filter_history[index].direct);
+        direct += weight * unpack_color(load_history(index).direct);
         sum += weight;
     }
     past.direct = max(direct / sum, vec3(0.0));

@@ -7,15 +7,15 @@
 #include "shared/bindings.h"
 #include "shared/guiding_types.h"
 #include "shared/octree.h"
+#include "trace/records.glsl"
 
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_HEADER, scalar) restrict readonly buffer GuidingHeaderBlock { GuidingHeader guiding; };
-layout(set = SET_GUIDING, binding = BINDING_GUIDING_NODES, scalar) restrict readonly buffer OctreeBlock {
-    uint octree_node_count;
-    uint octree_nodes[];
-};
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_NODES) uniform utextureBuffer octree_words; // number of inner nodes, and the nodes
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_LEAVES, scalar) restrict buffer LeafBlock { uint leaves[]; };
+layout(set = SET_GUIDING,
+       binding = BINDING_GUIDING_LEAF_WORDS) uniform utextureBuffer leaf_words; // the same, of what this frame does not write
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_SAMPLES, scalar) restrict writeonly buffer LightSampleBlock { uint light_samples[]; };
-layout(set = SET_GUIDING, binding = BINDING_GUIDING_VLC, scalar) restrict readonly buffer VlcBlock { uint vlc_lights[]; };
+layout(set = SET_GUIDING, binding = BINDING_GUIDING_VLC) uniform utextureBuffer vlc_words; // light ids
 
 layout(set = SET_GUIDING, binding = BINDING_GUIDING_RAYS, scalar) restrict writeonly buffer RaySampleBlock { uint ray_samples[]; };
 
@@ -29,8 +29,10 @@ struct SurfaceLeaves {
 uint leaf_word(LeafArray array, uint leaf) { return leaf_array_word(array, leaf, guiding.node_capacity); }
 
 /// Ends a walk to a smallest cell.
+uint load_octree_node(uint node) { return load_word(octree_words, 1u + node); }
+
 OctreeDescent descend(OctreeDescent descent, uvec3 grid) {
-    while (descent.leaf == NONE) octree_descend(descent, octree_nodes[descent.node], grid);
+    while (descent.leaf == NONE) octree_descend(descent, load_octree_node(descent.node), grid);
     return descent;
 }
 
@@ -41,7 +43,7 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
     // Both walks are one until the paths part.
     OctreeDescent both = octree_root();
     while (both.leaf == NONE && octree_child(before, both.depth) == octree_child(now, both.depth))
-        octree_descend(both, octree_nodes[both.node], now);
+        octree_descend(both, load_octree_node(both.node), now);
     return SurfaceLeaves(descend(both, before).leaf, descend(both, now).leaf);
 }
 
@@ -49,8 +51,8 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
 void store_light_sample(uint leaf, uint light_sample) {
     const uint number = atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u);
     const uint storage = leaf_word(LEAF_STORAGE, leaf);
-    if (number >= leaves[storage + 1u]) return;
-    light_samples[leaves[storage] + number] = light_sample;
+    if (number >= load_word(leaf_words, storage + 1u)) return;
+    light_samples[load_word(leaf_words, storage) + number] = light_sample;
 }
 
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
@@ -63,8 +65,8 @@ void count_blank_ray(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_BLANK, leaf)],
 void store_ray_sample(uint leaf, uvec2 ray_sample) {
     const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, leaf)], 1u);
     const uint storage = leaf_word(LEAF_STORAGE, leaf);
-    if (number >= leaves[storage + 1u]) return;
-    const uint first = RAY_SAMPLE_WORDS * (leaves[storage] + number);
+    if (number >= load_word(leaf_words, storage + 1u)) return;
+    const uint first = RAY_SAMPLE_WORDS * (load_word(leaf_words, storage) + number);
     ray_samples[first] = ray_sample.x;
     ray_samples[first + 1u] = ray_sample.y;
 }
@@ -73,13 +75,14 @@ uint node_word(NodeArray array, uint node) { return node_array_word(array, node,
 
 ShareMemory load_share(uint node) {
     const uint first = node_word(NODE_SHARE, node);
-    return share_unpack(uvec2(leaves[first], leaves[first + 1u]));
+    return share_unpack(uvec2(load_word(leaf_words, first), load_word(leaf_words, first + 1u)));
 }
 
 /// What a node's guider draws by.
 uvec4 load_guide(uint node) {
     const uint first = node_word(NODE_GUIDE, node);
-    return uvec4(leaves[first], leaves[first + 1u], leaves[first + 2u], leaves[first + 3u]);
+    return uvec4(load_word(leaf_words, first), load_word(leaf_words, first + 1u), load_word(leaf_words, first + 2u),
+                 load_word(leaf_words, first + 3u));
 }
 
 #endif

@@ -18,7 +18,7 @@ const float LIGHT_IMPORTANCE_MOST = 1e18;
 
 /// The light as the triangle that it is seen as from a position.
 Light load_light(uint light, vec3 position) {
-    Light seen = lights[light]; // a copy: a choice between it and the one in the buffer has no valid type in SPIR-V
+    Light seen = load_light(light);
     if (HAS_ENVIRONMENT && HAS_SUN) seen = light_from(seen, position);
     return seen;
 }

@@ -5,15 +5,20 @@
 #include "light/sun_share.glsl"
 #include "shared/light_hierarchy.h"
 
-layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_NODES, scalar) restrict readonly buffer LightNodeBlock { uvec4 light_nodes[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_NODES) uniform utextureBuffer light_nodes; // records
 // Lights of leaves: leaf_size of them, NONE where there are fewer, for child c of node n from (n * 4 * groups + c) * leaf_size on.
-layout(set = SET_TECHNIQUE, binding = BINDING_LEAF_LIGHTS, scalar) restrict readonly buffer LeafLightBlock { uint leaf_lights[]; };
-layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_PLACES, scalar) restrict readonly buffer LightPlaceBlock {
-    LightHierarchyHeader hierarchy;
-    uint light_places[]; // where a light is in leaf_lights; NONE if it can light nothing: dark, or without area
-};
+layout(set = SET_TECHNIQUE, binding = BINDING_LEAF_LIGHTS) uniform utextureBuffer leaf_lights;
+// LightHierarchyHeader, and where each light is in leaf_lights; NONE if it can light nothing: dark, or without area.
+layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_PLACES) uniform utextureBuffer light_places;
 // Where a node hangs, as its parent's number * 4 * groups + child; NONE: the root.
-layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_PARENTS, scalar) restrict readonly buffer LightParentBlock { uint light_parents[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_PARENTS) uniform utextureBuffer light_parents;
+
+LightHierarchyHeader load_hierarchy() {
+    return LightHierarchyHeader(load_word(light_places, 0u), load_word(light_places, 1u), load_word(light_places, 2u),
+                                load_word(light_places, 3u));
+}
+
+uvec4 load_light_node(uint word) { return texelFetch(light_nodes, int(word)); }
 
 /// What drawing a child of a node depends on.
 struct NodeView {
@@ -24,18 +29,19 @@ struct NodeView {
 
 NodeView view_node(Surface surface, uint number, uint groups) {
     const uint at = number * light_node_stride(groups);
-    const LightNode node = light_node(light_nodes[at]);
-    const uvec4 word2 = light_nodes[at + 3u];
+    const LightNode node = light_node(load_light_node(at));
+    const uvec4 word2 = load_light_node(at + 3u);
     NodeView view;
     view.inner = node.inner;
     view.first_inner = word2.w;
     const vec4 importance0 =
-        light_group_importance(node, light_nodes[at + 1u], light_nodes[at + 2u], word2, surface.origin, surface.normal);
+        light_group_importance(node, load_light_node(at + 1u), load_light_node(at + 2u), word2, surface.origin, surface.normal);
     vec4 importance1 = vec4(0.0);
     if (groups > 1u) {
-        const uvec4 word5 = light_nodes[at + 6u];
+        const uvec4 word5 = load_light_node(at + 6u);
         if (word5.z != 0u) // it has children
-            importance1 = light_group_importance(node, light_nodes[at + 4u], light_nodes[at + 5u], word5, surface.origin, surface.normal);
+            importance1 =
+                light_group_importance(node, load_light_node(at + 4u), load_light_node(at + 5u), word5, surface.origin, surface.normal);
     }
     view.weights = light_node_weights(importance0, importance1);
     return view;
@@ -47,7 +53,7 @@ struct Candidates {
     LtcSurface prepared;
 };
 
-uint candidate_light(Candidates candidates, uint i) { return leaf_lights[i]; }
+uint candidate_light(Candidates candidates, uint i) { return load_word(leaf_lights, i); }
 float candidate_weight(Candidates candidates, uint light) { return light_importance(candidates.prepared, light); }
 
 #include "light/candidate_walk.glsl"
@@ -87,7 +93,7 @@ void reuse(inout ReusedNumber number, float share, float rest, inout Random rand
 }
 
 LightChoice choose_light(Surface surface, inout Random random) {
-    const LightHierarchyHeader header = hierarchy;
+    const LightHierarchyHeader header = load_hierarchy();
     ReusedNumber random_number = begin_reuse(random);
     float probability = 1.0;
     const float of_sun = sun_share(surface, header.light_count != 0u);
@@ -119,10 +125,10 @@ LightChoice choose_light(Surface surface, inout Random random) {
 
 /// From the light's leaf to the root: the shares of all draws on the way.
 float light_probability(Surface surface, uint light) {
-    const LightHierarchyHeader header = hierarchy;
+    const LightHierarchyHeader header = load_hierarchy();
     const float of_sun = sun_share(surface, header.light_count != 0u);
     if (HAS_ENVIRONMENT && light == frame.sun_light) return of_sun;
-    const uint place = light_places[light];
+    const uint place = load_word(light_places, 4u + light);
     if (place == NONE) return 0.0;
     const uint slots = 4u * header.groups;
     uint edge = place / header.leaf_size; // node * slots + child
@@ -134,7 +140,7 @@ float light_probability(Surface surface, uint light) {
         const float weight = light_node_weight(weights, edge % slots);
         if (!(weight > 0.0)) return 0.0;
         probability *= weight / light_node_sum(weights);
-        edge = light_parents[edge / slots];
+        edge = load_word(light_parents, edge / slots);
     }
     return probability;
 }

@@ -9,10 +9,10 @@
 
 // List c belongs to cluster c, and one more holds all lights, for points in no cluster: ranges (first, count) of ids. Lights
 // of the static world are listed once; lights that can move, whose ids are larger, are listed anew when they do. Ids ascend.
-layout(set = SET_TECHNIQUE, binding = BINDING_STATIC_RANGES, scalar) restrict readonly buffer StaticRangeBlock { uvec2 static_ranges[]; };
-layout(set = SET_TECHNIQUE, binding = BINDING_STATIC_IDS, scalar) restrict readonly buffer StaticIdBlock { uint static_ids[]; };
-layout(set = SET_TECHNIQUE, binding = BINDING_MOVING_RANGES, scalar) restrict readonly buffer MovingRangeBlock { uvec2 moving_ranges[]; };
-layout(set = SET_TECHNIQUE, binding = BINDING_MOVING_IDS, scalar) restrict readonly buffer MovingIdBlock { uint moving_ids[]; };
+layout(set = SET_TECHNIQUE, binding = BINDING_STATIC_RANGES) uniform utextureBuffer static_ranges;
+layout(set = SET_TECHNIQUE, binding = BINDING_STATIC_IDS) uniform utextureBuffer static_ids;
+layout(set = SET_TECHNIQUE, binding = BINDING_MOVING_RANGES) uniform utextureBuffer moving_ranges;
+layout(set = SET_TECHNIQUE, binding = BINDING_MOVING_IDS) uniform utextureBuffer moving_ids;
 layout(set = SET_TECHNIQUE, binding = BINDING_LIST_COUNTS, scalar) restrict readonly buffer ListCountBlock {
     uint list_count;  // lists, the one of all lights included
     uint list_moving; // 1: some moving list is not empty
@@ -27,12 +27,14 @@ struct LightList {
     uint count; // of both
 };
 
+uvec2 load_range(utextureBuffer ranges, uint list) { return uvec2(load_word(ranges, 2u * list), load_word(ranges, 2u * list + 1u)); }
+
 LightList find_light_list(Surface surface) {
     const uint cluster = min(surface_cluster(surface), list_count - 1u); // NONE: the list of all lights
-    const uvec2 range = static_ranges[cluster];
+    const uvec2 range = load_range(static_ranges, cluster);
     LightList list = LightList(cluster, range.x, range.y, 0u, range.y);
     if (list_moving != 0u) {
-        const uvec2 moving = moving_ranges[cluster];
+        const uvec2 moving = load_range(moving_ranges, cluster);
         list.moving_first = moving.x;
         list.count += moving.y;
     }
@@ -40,13 +42,14 @@ LightList find_light_list(Surface surface) {
 }
 
 uint light_of_list(LightList list, uint index) {
-    return index < list.static_count ? static_ids[list.static_first + index] : moving_ids[list.moving_first + (index - list.static_count)];
+    return index < list.static_count ? load_word(static_ids, list.static_first + index)
+                                     : load_word(moving_ids, list.moving_first + (index - list.static_count));
 }
 
 /// Takes the sun out of a list that holds it, as the last one of those that do not move. False if it does not.
 bool take_sun(inout LightList list) {
     if (!(HAS_ENVIRONMENT && HAS_SUN) || list.static_count == 0u) return false;
-    if (static_ids[list.static_first + list.static_count - 1u] != frame.sun_light) return false;
+    if (load_word(static_ids, list.static_first + list.static_count - 1u) != frame.sun_light) return false;
     list.static_count -= 1u;
     list.count -= 1u;
     return true;

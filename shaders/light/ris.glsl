@@ -31,7 +31,7 @@ float candidate_weight(Candidates candidates, uint light) {
 LightChoice choose_light(Surface surface, inout Random random) {
     const uvec2 bits = random_next_bits(random);
     const float u = random_next(random);
-    if (alias_count == 0u) return no_light();
+    if (alias_count() == 0u) return no_light();
     const uint count = uint(frame.settings.pt_ris_candidates);
     const Candidates candidates = Candidates(0u, count, 1u, prepare_importance(surface), bits, 0xffffffffu / count);
     const CandidateWalk walk = walk_candidates(candidates, NONE, u);

@@ -30,22 +30,22 @@ struct LightCache {
 
 LightCache find_light_cache(uint leaf) {
     const uint cache = leaf_word(LEAF_VLC, leaf);
-    return LightCache(leaves[cache], leaves[cache + 1u]);
+    return LightCache(load_word(leaf_words, cache), load_word(leaf_words, cache + 1u));
 }
 
 /// Word of the probability that bucket `b`, or one before it, is drawn.
 uint bucket_word(LightCache cache, uint b) { return cache.first + cache.buckets * bucket_size() + VLC_BUCKET_WORDS * b; }
 
 float bucket_probability(LightCache cache, uint b) {
-    const float before = b == 0u ? 0.0 : uintBitsToFloat(vlc_lights[bucket_word(cache, b - 1u)]);
-    return uintBitsToFloat(vlc_lights[bucket_word(cache, b)]) - before;
+    const float before = b == 0u ? 0.0 : uintBitsToFloat(load_word(vlc_words, bucket_word(cache, b - 1u)));
+    return uintBitsToFloat(load_word(vlc_words, bucket_word(cache, b))) - before;
 }
 
 /// Draws a bucket by `u`, in [0, 1): bisection.
 uint draw_bucket(LightCache cache, float u) {
     uint b = 0u;
     for (uint steps = cache.buckets / 2u; steps > 0u; steps /= 2u)
-        if (!(u < uintBitsToFloat(vlc_lights[bucket_word(cache, b + steps - 1u)]))) b += steps;
+        if (!(u < uintBitsToFloat(load_word(vlc_words, bucket_word(cache, b + steps - 1u))))) b += steps;
     return b;
 }
 
@@ -58,12 +58,12 @@ bool is_cached(LightCache cache, uint light) {
     uint first = bucket_of_light(cache, light);
     for (uint count = bucket_size(); count > 1u;) {
         const uint half_count = count / 2u;
-        const uint entry = vlc_lights[first + half_count];
+        const uint entry = load_word(vlc_words, first + half_count);
         const bool above = entry != NONE && bitfieldReverse(entry & VLC_ID_MASK) <= sought;
         first += above ? half_count : 0u;
         count = above ? count - half_count : half_count;
     }
-    const uint entry = vlc_lights[first];
+    const uint entry = load_word(vlc_words, first);
     return entry != NONE && (entry & VLC_ID_MASK) == light;
 }
 
@@ -93,7 +93,7 @@ struct Shares {
 
 /// Of `total` draws outside of the cache.
 Shares explore_shares(LightSearch search, float total) {
-    const float local = alias_count == 0u ? 1.0 : frame.settings.pt_explore_local;
+    const float local = alias_count() == 0u ? 1.0 : frame.settings.pt_explore_local;
     if (search.list.count == 0u || local == 0.0) return Shares(0.0, 0.0, total);
     const float table = min(frame.settings.pt_vlc_explore, total) * (1.0 - local);
     return Shares(0.0, total - table, table);
@@ -115,7 +115,7 @@ float explore_total(LightSearch search, uint leaf) {
     const bool none = search.cache.buckets == 0u;
     if (frame.settings.pt_vlc_adapt == 0 || explore == 0.0) return none ? 1.0 : explore;
     const uint words = leaf_word(LEAF_EXPLORE, leaf);
-    const ExploreMemory memory = explore_unpack(uvec2(leaves[words], leaves[words + 1u]));
+    const ExploreMemory memory = explore_unpack(uvec2(load_word(leaf_words, words), load_word(leaf_words, words + 1u)));
     if (!draws_beside()) return none ? 1.0 : max(explore, memory.share);
     const float known = min(memory.listed / EXPLORE_DRAWS, 1.0); // how well M is
     const float wanted = max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * memory.share / (1.0 - memory.share));
@@ -136,7 +136,7 @@ Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
 
 /// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing.
 struct Candidates {
-    uint first, end, stride; // in vlc_lights, or in the list
+    uint first, end, stride; // in vlc_words, or in the list
     bool from_cache;
     LightCache cache;
     LightList list;
@@ -145,7 +145,7 @@ struct Candidates {
 
 uint candidate_light(Candidates candidates, uint i) {
     if (!candidates.from_cache) return light_of_list(candidates.list, i);
-    const uint entry = vlc_lights[i];
+    const uint entry = load_word(vlc_words, i);
     return entry == NONE ? NONE : entry & VLC_ID_MASK;
 }
 

@@ -33,10 +33,10 @@ float environment_inverse_density(Light light, vec3 position, vec3 direction) {
 /// The light of a window to the sky through which a ray from `position` meets a sky face; NONE if there is none. Who draws points on the
 /// window asks the same, so that every direction is one light's.
 uint sky_light(Hit hit, vec3 position, vec3 direction) {
-    const uint window = primitives[hit.primitive].light;
+    const uint window = load_primitive(hit.primitive).light;
     if (window == NONE) return NONE;
-    const uint first = (HAS_INSTANCES ? instances[hit.instance].first_light : 0u) + window;
-    const Light cell = lights[first];
+    const uint first = (HAS_INSTANCES ? load_instance(hit.instance).first_light : 0u) + window;
+    const Light cell = load_light(first);
     const vec2 at = light_plane_point(cell, position, direction);
     const vec2 cells = vec2((cell.flags >> LIGHT_COLUMNS_SHIFT) & LIGHT_CELLS_MASK, (cell.flags >> LIGHT_ROWS_SHIFT) & LIGHT_CELLS_MASK);
     if (!(all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, cells)))) return NONE; // also for what is no number
@@ -45,7 +45,7 @@ uint sky_light(Hit hit, vec3 position, vec3 direction) {
     return first + 2u * (uint(place.y) * uint(cells.x) + uint(place.x)) + half_cell;
 }
 
-bool is_sky(Hit hit) { return hit.front && (materials[primitives[hit.primitive].material].flags & MATERIAL_SKY) != 0u; }
+bool is_sky(Hit hit) { return hit.front && (load_material(load_primitive(hit.primitive).material).flags & MATERIAL_SKY) != 0u; }
 
 /// Part of what comes from a direction that falls to light samples, in [0, 1]; the rest falls to rays, which have the density `ray_pdf`
 /// there. `probability` is the light's.

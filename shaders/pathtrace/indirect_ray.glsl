@@ -38,7 +38,7 @@ vec3 collect(Surface surface, Ray ray, Hit hit, Vertex vertex, float brdf_pdf) {
     for (uint parts = meets_sun(ray.direction) ? 2u : 1u; parts > 0u; --parts) {
         float part = 1.0;
         if (light != NONE) {
-            const float inverse_density = environment_inverse_density(lights[light], ray.origin, ray.direction);
+            const float inverse_density = environment_inverse_density(load_light(light), ray.origin, ray.direction);
             part -= sampled_share(light_probability(surface, light), inverse_density, brdf_pdf);
         }
         sum += part * radiance;

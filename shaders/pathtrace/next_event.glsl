@@ -63,7 +63,7 @@ bool environment_seen(uint id, Light light, vec3 origin, vec3 direction, uint se
 vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bool ray_follows, out uint outcome) {
     outcome = LIGHT_UNTRIED;
     if (choice.light == NONE) return vec3(0.0);
-    const Light light = lights[choice.light];
+    const Light light = load_light(choice.light);
     const PointChoice seen = choose_point(surface, light, u.xy, u.z);
     vec3 radiance = light.radiance;
     if (is_environment(light)) radiance = is_sun(light) ? frame.sun_flux : sky_box_radiance(seen.direction);

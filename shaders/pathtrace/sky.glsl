@@ -45,7 +45,7 @@ vec3 sky_box_radiance(vec3 direction) {
         uint side;
         vec2 uv;
         sky_coordinates(frame.sky_from_world * direction, side, uv);
-        value *= sky_texel(textures[frame.sky_texture + side], uv);
+        value *= sky_texel(load_texture(frame.sky_texture + side), uv);
     }
     return value;
 }

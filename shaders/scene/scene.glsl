@@ -4,19 +4,53 @@
 #define VIGIL_SCENE_SCENE_GLSL
 
 #include "scene/frame.glsl"
+#include "trace/records.glsl"
 
-layout(set = SET_SCENE, binding = BINDING_INSTANCES, scalar) restrict readonly buffer InstanceBlock { Instance instances[]; };
-layout(set = SET_SCENE, binding = BINDING_PRIMITIVES, scalar) restrict readonly buffer PrimitiveBlock { Primitive primitives[]; };
-layout(set = SET_SCENE, binding = BINDING_MATERIALS, scalar) restrict readonly buffer MaterialBlock { Material materials[]; };
-layout(set = SET_SCENE, binding = BINDING_TEXTURES, scalar) restrict readonly buffer TextureBlock { Texture textures[]; };
-layout(set = SET_SCENE, binding = BINDING_TEXELS, scalar) restrict readonly buffer TexelBlock { uint texels[]; };
-layout(set = SET_SCENE, binding = BINDING_LIGHTS, scalar) restrict readonly buffer LightBlock { Light lights[]; };
+layout(set = SET_SCENE, binding = BINDING_INSTANCES) uniform utextureBuffer instances;   // Instance[]
+layout(set = SET_SCENE, binding = BINDING_PRIMITIVES) uniform utextureBuffer primitives; // Primitive[]
+layout(set = SET_SCENE, binding = BINDING_MATERIALS) uniform utextureBuffer materials;   // Material[]
+layout(set = SET_SCENE, binding = BINDING_TEXTURES) uniform utextureBuffer textures;     // Texture[]
+layout(set = SET_SCENE, binding = BINDING_TEXELS) uniform utextureBuffer texels;         // words
+layout(set = SET_SCENE, binding = BINDING_LIGHTS) uniform utextureBuffer lights;         // Light[]
+
+// Fields that a caller does not use cost no loads.
+Instance load_instance(uint index) {
+    const int at = int(index) * 11;
+    const uvec4 words = texelFetch(instances, at + 9);
+    return Instance(load_transform(instances, at), load_transform(instances, at + 3), load_transform(instances, at + 6), words.x, words.y,
+                    words.z, words.w, load_floats(instances, at + 10).xyz);
+}
+
+Primitive load_primitive(uint index) {
+    const int at = int(index) * 3;
+    const vec4 a = load_floats(primitives, at);
+    const uvec4 b = texelFetch(primitives, at + 1);
+    return Primitive(a.xy, a.zw, uintBitsToFloat(b.xy), b.z, b.w, texelFetch(primitives, at + 2).x);
+}
+
+Material load_material(uint index) {
+    const int at = int(index) * 2;
+    const uvec4 a = texelFetch(materials, at);
+    const vec4 b = load_floats(materials, at + 1);
+    return Material(a.x, a.y, a.z, uintBitsToFloat(a.w), b.x, b.yzw);
+}
+
+Texture load_texture(uint index) {
+    const uvec4 words = texelFetch(textures, int(index));
+    return Texture(words.x, words.y, words.z, words.w);
+}
+
+Light load_light(uint id) {
+    const int at = int(id) * 4;
+    const vec4 a = load_floats(lights, at), b = load_floats(lights, at + 1), c = load_floats(lights, at + 2);
+    return Light(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw, texelFetch(lights, at + 3).x);
+}
 
 /// Where what is at a position now, on an instance, was a frame ago.
 vec3 previous_position(vec3 position, uint instance) {
     if (instance == 0u) return position;
-    const vec3 local = instances[instance].object_from_world * vec4(position, 1.0);
-    return instances[instance].previous_world_from_object * vec4(local, 1.0);
+    const Instance moved = load_instance(instance);
+    return moved.previous_world_from_object * vec4(moved.object_from_world * vec4(position, 1.0), 1.0);
 }
 
 /// RGB9E5 to linear RGB.
@@ -35,7 +69,7 @@ vec3 fetch_texel(Texture header, uint level, ivec2 position) {
         width = max(width >> 1, 1u);
         height = max(height >> 1, 1u);
     }
-    return decode_texel(texels[first + uint(position.y) * width + uint(position.x)]);
+    return decode_texel(texelFetch(texels, int(first + uint(position.y) * width + uint(position.x))).x);
 }
 
 ivec2 wrap_texel(ivec2 position, ivec2 size) {
@@ -78,7 +112,7 @@ Texture material_texture(Material material) {
     uint index = material.texture;
     // Quake II shows two animation frames per second.
     if (HAS_ANIMATION && material.frame_count > 1u) index += uint(frame.time_s * 2.0) % material.frame_count;
-    return textures[index];
+    return load_texture(index);
 }
 
 #endif

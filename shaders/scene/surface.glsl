@@ -9,7 +9,13 @@
 #include "shared/sampling.h"
 #include "trace/trace.glsl"
 
-layout(set = SET_SCENE, binding = BINDING_BSP, scalar) restrict readonly buffer BspBlock { BspTreeNode bsp_nodes[]; };
+layout(set = SET_SCENE, binding = BINDING_BSP) uniform utextureBuffer bsp_nodes; // BspTreeNode[]
+
+BspTreeNode load_bsp_node(int index) {
+    const vec4 plane = load_floats(bsp_nodes, 2 * index);
+    const ivec4 children = ivec4(texelFetch(bsp_nodes, 2 * index + 1));
+    return BspTreeNode(plane.xyz, plane.w, children.x, children.y);
+}
 
 struct Surface {
     vec3 position;
@@ -36,7 +42,7 @@ vec3 triangle_normal(BvhTriangle triangle, uint instance) {
     const vec3 normal = cross(triangle.e1, triangle.e2);
     if (!HAS_INSTANCES || instance == 0u) return normalize(normal);
     // Normals go with the transposed inverse.
-    return normalize(normal * mat3(instances[instance].object_from_world));
+    return normalize(normal * mat3(load_instance(instance).object_from_world));
 }
 
 /// The point that was hit, from the triangle's vertices: off its plane by a few units in the last place, while the ray's
@@ -44,7 +50,7 @@ vec3 triangle_normal(BvhTriangle triangle, uint instance) {
 vec3 triangle_point(BvhTriangle triangle, Hit hit) {
     const vec3 point = triangle.v0 + hit.barycentrics.x * triangle.e1 + hit.barycentrics.y * triangle.e2;
     if (!HAS_INSTANCES || hit.instance == 0u) return point;
-    return instances[hit.instance].world_from_object * vec4(point, 1.0);
+    return load_instance(hit.instance).world_from_object * vec4(point, 1.0);
 }
 
 /// Linear mean-filtered texel of a triangle; `cone` is the width of the ray where it hits, in map units.
@@ -68,9 +74,9 @@ vec3 hit_texel(Ray ray, Hit hit, BvhTriangle triangle, vec3 normal, Primitive pr
 
 /// Share of a cutout that there is where a camera ray hits it, 0..1; of all else 1.
 float cutout_share(Ray ray, Hit hit) {
-    if ((instances[hit.instance].flags & INSTANCE_CUTOUT) == 0u) return 1.0;
-    const Primitive primitive = primitives[hit.primitive];
-    Material material = materials[primitive.material];
+    if ((load_instance(hit.instance).flags & INSTANCE_CUTOUT) == 0u) return 1.0;
+    const Primitive primitive = load_primitive(hit.primitive);
+    Material material = load_material(primitive.material);
     ++material.texture;
     const BvhTriangle triangle = bvh_load_triangle(hit.primitive);
     const vec3 normal = triangle_normal(triangle, hit.instance);
@@ -81,18 +87,18 @@ float cutout_share(Ray ray, Hit hit) {
 float hit_coverage(Hit hit) {
     if (!HAS_TRANSLUCENT) return 1.0;
     uint coverage = bvh_load_triangle(hit.primitive).flags;
-    if (HAS_EFFECTS) coverage = bvh_faded(coverage, bvh_opacity(instances[hit.instance].flags));
+    if (HAS_EFFECTS) coverage = bvh_faded(coverage, bvh_opacity(load_instance(hit.instance).flags));
     return float(coverage & TRIANGLE_COVERAGE_MASK) / 255.0;
 }
 
 /// Emission of a triangle light seen from its front; `texel` gives a lamp its look without changing its mean.
 vec3 light_emission(Primitive primitive, BvhTriangle triangle, Hit hit, Material material, vec3 texel, bool textured) {
-    const uint first = HAS_INSTANCES ? instances[hit.instance].first_light : 0u;
-    vec3 emission = lights[first + primitive.light].radiance;
+    const uint first = HAS_INSTANCES ? load_instance(hit.instance).first_light : 0u;
+    vec3 emission = load_light(first + primitive.light).radiance;
     // A translucent lamp's list entry is dimmed by its coverage; a ray that stops at it has paid for that already.
     if (HAS_TRANSLUCENT) {
         uint coverage = triangle.flags & TRIANGLE_COVERAGE_MASK;
-        if (HAS_EFFECTS) coverage = bvh_faded(coverage, bvh_opacity(instances[hit.instance].flags));
+        if (HAS_EFFECTS) coverage = bvh_faded(coverage, bvh_opacity(load_instance(hit.instance).flags));
         emission *= 255.0 / float(max(coverage, 1u));
     }
     if (textured && material.inverse_mean != vec3(0.0)) emission *= texel * material.inverse_mean;
@@ -106,8 +112,8 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     vertex.lit = false;
     vertex.sky = false;
     vertex.emission = vec3(0.0);
-    const Primitive primitive = primitives[hit.primitive];
-    const Material material = materials[primitive.material];
+    const Primitive primitive = load_primitive(hit.primitive);
+    const Material material = load_material(primitive.material);
     if (!hit.front) return vertex; // the inside of a wall is black
     if (HAS_SKY && (material.flags & MATERIAL_SKY) != 0u) {
         vertex.sky = true;
@@ -119,7 +125,7 @@ Vertex describe_hit(Ray ray, Hit hit, float spread, bool primary) {
     if (HAS_LIGHTS && primitive.light != NONE)
         vertex.emission = light_emission(primitive, triangle, hit, material, texel, primary && frame.settings.pt_emissive_texture != 0);
     if (HAS_INSTANCES && primary && (material.flags & MATERIAL_SHINES) != 0u) vertex.emission = SHINE_RADIANCE * texel;
-    if (HAS_EFFECTS && primary) vertex.emission += instances[hit.instance].glow * texel;
+    if (HAS_EFFECTS && primary) vertex.emission += load_instance(hit.instance).glow * texel;
     vertex.lit = true;
     vertex.surface.position = triangle_point(triangle, hit);
     vertex.surface.normal = normal;
@@ -157,14 +163,14 @@ Surface load_primary_surface(PrimaryHit hit) {
 /// several; then, and on moving models, the level's BSP tells.
 uint surface_cluster(Surface surface) {
     if (!HAS_INSTANCES || surface.instance == 0u) {
-        const uint cluster = primitives[surface.primitive].cluster;
+        const uint cluster = load_primitive(surface.primitive).cluster;
         if (cluster != NONE) return cluster;
     }
     // Half a unit off the surface lies in the open, clear of rounding.
     const vec3 position = surface.position + 0.5 * surface.normal;
     int child = 0;
     while (child >= 0) {
-        const BspTreeNode node = bsp_nodes[child];
+        const BspTreeNode node = load_bsp_node(child);
         child = dot(node.normal, position) >= node.dist ? node.front : node.back;
     }
     return uint(-2 - child); // -1 becomes NONE

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Descriptor sets, bindings and specialisation constants of all passes, by name, for C++ and GLSL. In the path tracer's passes set 0 is
 // the scene and the frame, set 1 belongs to the light-sampling technique in use, and set 2 is what was learned from the frame before.
-// Other passes have one set of their own. Each buffer is declared once in GLSL, in the file named beside its binding.
+// Other passes have one set of their own. Each buffer is declared once in GLSL, in the file named beside its binding. R: bound as
+// records, W: as words (trace/records.glsl); the others are storage buffers.
 #ifndef VIGIL_SHARED_BINDINGS_H
 #define VIGIL_SHARED_BINDINGS_H
 
@@ -10,16 +11,16 @@
 #define SET_GUIDING 2
 
 #define BINDING_FRAME 0                   // uniform FrameParams: shared/frame_params.h, scene/frame.glsl
-#define BINDING_BVH_NODES 1               // texel buffer, bottom-level nodes of all models: trace/trace_bvh.glsl
-#define BINDING_BVH_TRIANGLES 2           // BvhTriangle[]: trace/trace_bvh.glsl, trace/trace_query.glsl
-#define BINDING_TOP_NODES 3               // top-level nodes of this frame: trace/trace_bvh.glsl
-#define BINDING_INSTANCES 4               // Instance[]: scene/scene.glsl
-#define BINDING_PRIMITIVES 5              // Primitive[]: scene/scene.glsl
-#define BINDING_MATERIALS 6               // Material[]: scene/scene.glsl
-#define BINDING_TEXTURES 7                // Texture[]: scene/scene.glsl
-#define BINDING_TEXELS 8                  // uint[], RGB9E5: scene/scene.glsl
-#define BINDING_LIGHTS 9                  // Light[]: scene/scene.glsl
-#define BINDING_BSP 10                    // BspTreeNode[]: scene/surface.glsl
+#define BINDING_BVH_NODES 1               // R, bottom-level nodes of all models: trace/trace_bvh.glsl
+#define BINDING_BVH_TRIANGLES 2           // R, BvhTriangle[]: trace/trace_bvh.glsl, trace/trace_query.glsl
+#define BINDING_TOP_NODES 3               // R, top-level nodes of this frame: trace/trace_bvh.glsl
+#define BINDING_INSTANCES 4               // R, Instance[]: scene/scene.glsl
+#define BINDING_PRIMITIVES 5              // R, Primitive[]: scene/scene.glsl
+#define BINDING_MATERIALS 6               // R, Material[]: scene/scene.glsl
+#define BINDING_TEXTURES 7                // R, Texture[]: scene/scene.glsl
+#define BINDING_TEXELS 8                  // W, uint[], RGB9E5: scene/scene.glsl
+#define BINDING_LIGHTS 9                  // R, Light[]: scene/scene.glsl
+#define BINDING_BSP 10                    // R, BspTreeNode[]: scene/surface.glsl
 #define BINDING_LTC 11                    // LTC tables: light/ltc.glsl
 #define BINDING_SURFACES 12               // PrimaryHit[]: scene/frame.glsl
 #define BINDING_RADIANCE 13               // this frame's radiance: scene/frame.glsl
@@ -48,29 +49,30 @@
 #define CONSTANT_ANY_HIT 15     // of a benchmark: trace/trace_rays.comp
 #define CONSTANT_ENVIRONMENT 16 // sky and sun are sampled as lights: scene/frame.glsl
 
-// Set 1 holds this many storage buffers; which of them a technique has is its business (shaders/light/NAME.glsl).
-#define BINDING_ALIAS_TABLE 0       // number of entries, AliasEntry[]: light/alias.glsl
+// Which of these buffers a technique has is its business (shaders/light/NAME.glsl).
 #define BINDING_SHADOW_STATISTICS 0 // light/shadow_statistics.glsl; the pass of that name has it as well, alone in set 0
-#define BINDING_STATIC_RANGES 1     // these five are the light lists: light/light_list.glsl
+#define BINDING_STATIC_RANGES 1     // W, as are the next three; with the counts these are the light lists: light/light_list.glsl
 #define BINDING_STATIC_IDS 2
 #define BINDING_MOVING_RANGES 3
 #define BINDING_MOVING_IDS 4
 #define BINDING_LIST_COUNTS 5
-#define BINDING_LIGHT_NODES 0 // these four are the Light Hierarchy: light/lh.glsl
-#define BINDING_LEAF_LIGHTS 1
-#define BINDING_LIGHT_PLACES 2
-#define BINDING_LIGHT_PARENTS 3
-#define TECHNIQUE_BINDING_COUNT 6
+#define BINDING_ALIAS_TABLE 6 // W, number of entries, AliasEntry[]: light/alias.glsl
+#define BINDING_LEAF_LIGHTS 1 // W, as are the next two; these four are the Light Hierarchy: light/lh.glsl
+#define BINDING_LIGHT_PARENTS 2
+#define BINDING_LIGHT_PLACES 6
+#define BINDING_LIGHT_NODES 7 // R
+#define TECHNIQUE_BINDING_COUNT 8
 
 // Set 2, declared in guiding/octree.glsl. Vulkan 1.2 lets a device stop at few storage buffers per stage, and Mesa 22.3's
 // software driver at 32 for all sets together.
-#define BINDING_GUIDING_HEADER 0  // GuidingHeader: shared/guiding_types.h
-#define BINDING_GUIDING_NODES 1   // number of inner nodes, and the nodes: shared/octree.h
-#define BINDING_GUIDING_LEAVES 2  // arrays by leaf: shared/guiding_types.h
-#define BINDING_GUIDING_SAMPLES 3 // light samples
-#define BINDING_GUIDING_VLC 4     // light ids of the caches
-#define BINDING_GUIDING_RAYS 5    // ray samples
-#define GUIDING_BINDING_COUNT 6
+#define BINDING_GUIDING_HEADER 0     // GuidingHeader: shared/guiding_types.h
+#define BINDING_GUIDING_NODES 1      // W, number of inner nodes, and the nodes: shared/octree.h
+#define BINDING_GUIDING_LEAVES 2     // arrays by leaf: shared/guiding_types.h
+#define BINDING_GUIDING_SAMPLES 3    // light samples
+#define BINDING_GUIDING_VLC 4        // W, light ids of the caches
+#define BINDING_GUIDING_RAYS 5       // ray samples
+#define BINDING_GUIDING_LEAF_WORDS 6 // W, the leaves again
+#define GUIDING_BINDING_COUNT 7
 
 // The set of the guiding passes, declared in guiding/passes.glsl: this frame's octree ("new") and that of the frame before ("old").
 #define BINDING_PASS_HEADER 0     // GuidingHeader: shared/guiding_types.h
@@ -97,7 +99,14 @@
 #define BINDING_FILTER_RESOLVED 3 // the picture, two frames
 #define BINDING_FILTER_TILES 4
 #define BINDING_FILTER_LIGHT_CHANGES 5
-#define FILTER_BINDING_COUNT 6
+#define BINDING_FILTER_STATISTICS 6 // FilterStatistics[], two frames
+// R, some of them again.
+#define BINDING_FILTER_SURFACE_RECORDS 7
+#define BINDING_FILTER_HISTORY_RECORDS 8
+#define BINDING_FILTER_LIGHT_RECORDS 9
+#define BINDING_FILTER_TILE_RECORDS 10
+#define BINDING_FILTER_STATISTICS_RECORDS 11
+#define FILTER_BINDING_COUNT 12
 
 // The set of pass `draws`: post/draws.comp.
 #define BINDING_DRAWS_DISPLAY 0 // the finished picture

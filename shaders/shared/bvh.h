@@ -56,6 +56,7 @@ struct TopNode {
     mat4x3 object_from_world;
     uint root;  // node index in the bottom-level buffer
     uint flags; // the instance's: INSTANCE_*
+    SHADER_PADDING(2)
 };
 
 SHADER_CONST uint TOP_END = 0xffffffffu;

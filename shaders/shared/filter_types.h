@@ -19,11 +19,9 @@ struct FilterInput {
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {
-    uint facing;       // pack_facing() of filter/filter.glsl
-    float depth;       // along the camera's forward axis, map units; 0: nothing to filter (sky)
-    uint id;           // instance
-    uint direct_light; // as FilterInput
-    uint indirect_light;
+    uint facing;     // pack_facing() of filter/filter.glsl
+    float depth;     // along the camera's forward axis, map units; 0: nothing to filter (sky)
+    uint id;         // instance
     uint brightness; // packHalf2x16: luminances of the frame's samples, direct and indirect
 };
 
@@ -31,8 +29,14 @@ struct FilterSurface {
 struct FilterHistory {
     uvec2 direct; // means: pack_color() of filter/filter.glsl
     uvec2 indirect;
+};
+
+/// What else is known of that light, and which lamps the frame's samples drew.
+struct FilterStatistics {
     uint second_moments; // packHalf2x16: square roots of the mean squared luminances, direct and indirect
     uint lengths;        // packHalf2x16: how many frames the means are of, direct and indirect
+    uint direct_light;   // as FilterInput
+    uint indirect_light;
 };
 
 /// FrameParams::filter_flags

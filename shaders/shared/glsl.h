@@ -2,6 +2,7 @@
 // Lets one text compile as GLSL and as C++ (GLM): every header in shaders/shared includes this first.
 // Write functions as `SHADER_FN float f(float x, INOUT(uint) state)`, literals with the suffix f or u,
 // no swizzle assignments, and wrap declarations in SHADER_BEGIN / SHADER_END (namespace vigil::shader).
+// SHADER_PADDING(words) ends a structure whose buffer is read as texels of 16 bytes (trace/records.glsl).
 #ifndef VIGIL_SHARED_GLSL_H
 #define VIGIL_SHARED_GLSL_H
 
@@ -19,6 +20,7 @@
 #define INOUT(type) type&
 #define OUT(type) type&
 #define PRECISE
+#define SHADER_PADDING(words) std::uint32_t unused[words] = {};
 
 namespace vigil::shader {
 using namespace glm;
@@ -34,6 +36,7 @@ using uint = std::uint32_t;
 #define INOUT(type) inout type
 #define OUT(type) out type
 #define PRECISE precise
+#define SHADER_PADDING(words)
 
 #endif
 #endif

@@ -22,6 +22,7 @@ struct Instance {
     uint flags;       // INSTANCE_*
     uint entity;      // stable entity number, for views and debugging
     vec3 glow;        // radiance that a white texel of it shows to camera rays besides what it reflects
+    SHADER_PADDING(1)
 };
 
 /// Bits 0..7 of Instance::flags: the rays that meet it. A ray's mask has one of them.
@@ -42,6 +43,7 @@ struct BvhTriangle {
     uint flags; // TRIANGLE_*
     vec3 e1;    // v1 - v0
     vec3 e2;    // v2 - v0
+    SHADER_PADDING(2)
 };
 
 /// Bits 0..7: coverage / 255: the chance that a ray stops here. 255 is opaque (both sides stop rays);
@@ -56,6 +58,7 @@ struct Primitive {
     uint material;
     uint light;   // index among its model's lights, or NONE; of a sky face: of its window's first light
     uint cluster; // PVS cluster, or NONE when the triangle touches several (then locate the point)
+    SHADER_PADDING(3)
 };
 
 SHADER_CONST uint MATERIAL_SKY = 1u;      // shows the sky; ends every path
@@ -93,6 +96,7 @@ struct BspTreeNode {
     float dist;
     int front; // where dot(normal, p) >= dist
     int back;
+    SHADER_PADDING(2)
 };
 
 /// What a camera ray hit; written by the primary pass, read by the passes after it.
@@ -119,6 +123,7 @@ struct Light {
     vec3 e2; // v2 - v0; cross(e1, e2) points to the lit side
     vec3 radiance;
     uint flags; // LIGHT_*; 0: a lamp
+    SHADER_PADDING(3)
 };
 
 /// Half of a cell of a window to the sky (scene/sky_windows.h). `radiance` is a mean, by which it is chosen; what comes through a

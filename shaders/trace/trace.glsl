@@ -8,6 +8,7 @@
 
 #include "../shared/bindings.h"
 #include "../shared/bvh.h"
+#include "records.glsl"
 
 /// False: the scene is instance 0 alone, in place; the top level is neither bound nor walked.
 layout(constant_id = CONSTANT_INSTANCES) const bool HAS_INSTANCES = true;
@@ -15,6 +16,15 @@ layout(constant_id = CONSTANT_INSTANCES) const bool HAS_INSTANCES = true;
 layout(constant_id = CONSTANT_TRANSLUCENT) const bool HAS_TRANSLUCENT = true;
 /// False: every instance is opaque and met by all rays.
 layout(constant_id = CONSTANT_EFFECTS) const bool HAS_EFFECTS = true;
+
+layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES) uniform utextureBuffer bvh_triangles; // BvhTriangle[]
+
+BvhTriangle bvh_load_triangle(uint index) {
+    const int at = int(index) * 3;
+    const uvec4 a = texelFetch(bvh_triangles, at);
+    const vec4 b = load_floats(bvh_triangles, at + 1), c = load_floats(bvh_triangles, at + 2);
+    return BvhTriangle(uintBitsToFloat(a.xyz), a.w, b.xyz, vec3(b.w, c.xy));
+}
 
 #if TRACE_QUERY
 #include "trace_query.glsl"

@@ -9,9 +9,6 @@
 #extension GL_EXT_ray_query : require
 
 layout(set = SET_SCENE, binding = BINDING_ACCELERATION_STRUCTURE) uniform accelerationStructureEXT top_structure;
-layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES, scalar) restrict readonly buffer BvhTriangles { BvhTriangle bvh_triangles[]; };
-
-BvhTriangle bvh_load_triangle(uint index) { return bvh_triangles[index]; }
 
 // How the structures are numbered: the n-th instance of the top level is Instance[n], its custom
 // index is its model's first triangle, and a model's triangles keep their order in all geometries.
@@ -33,7 +30,7 @@ bool trace_backend(Ray ray, uint seed, uint mask, bool any_hit, out Hit hit) {
             rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) + rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
         bool front = rayQueryGetIntersectionFrontFaceEXT(query, false);
         uint instance = rayQueryGetIntersectionInstanceIdEXT(query, false);
-        uint coverage = bvh_triangles[primitive].flags;
+        uint coverage = bvh_load_triangle(primitive).flags;
         if (HAS_EFFECTS) coverage = bvh_faded(coverage, rayQueryGetIntersectionInstanceShaderBindingTableRecordOffsetEXT(query, false));
         if (bvh_covered(coverage, front, seed, instance, primitive)) rayQueryConfirmIntersectionEXT(query);
     }

@@ -11,9 +11,8 @@ namespace vigil::bench {
 
 namespace {
 
-constexpr std::array<VkDescriptorType, RAY_BINDING_COUNT> ray_types = {
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+constexpr std::array<gpu::BindingKind, RAY_BINDING_COUNT> ray_types = {
+    gpu::BindingKind::Storage, gpu::BindingKind::Storage, gpu::BindingKind::Storage};
 
 } // namespace
 
@@ -46,23 +45,17 @@ void TraceRig::place(std::size_t model, const glm::mat4x3& world_from_object) {
 }
 
 void TraceRig::finish(bool translucent) {
-    node_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(nodes_), "nodes",
-                                    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    node_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(nodes_), "nodes");
     triangle_buffer_ = gpu::make_buffer(device_, gpu::bytes_of(triangles_), "triangles");
     top_buffer_ =
         gpu::make_buffer(device_, gpu::bytes_of(build_top_level(instances_)), "top level");
 
     const bool texels = node_access_ == Nodes::Texels;
-    std::vector<VkDescriptorType> types(BINDING_ACCELERATION_STRUCTURE,
-                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    if (texels) types[BINDING_BVH_NODES] = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    std::vector<gpu::BindingKind> types(BINDING_ACCELERATION_STRUCTURE, gpu::BindingKind::Storage);
+    types[BINDING_BVH_TRIANGLES] = types[BINDING_TOP_NODES] = gpu::BindingKind::Records;
+    if (texels) types[BINDING_BVH_NODES] = gpu::BindingKind::Records;
     scene_set_ = gpu::DescriptorSet(device_, types, unused_, "scene");
-    if (texels) {
-        node_view_ = gpu::make_texel_view(device_, node_buffer_, "nodes");
-        scene_set_.bind(BINDING_BVH_NODES, node_view_.get());
-    } else {
-        scene_set_.bind(BINDING_BVH_NODES, node_buffer_);
-    }
+    scene_set_.bind(BINDING_BVH_NODES, node_buffer_);
     scene_set_.bind(BINDING_BVH_TRIANGLES, triangle_buffer_);
     scene_set_.bind(BINDING_TOP_NODES, top_buffer_);
 

@@ -65,7 +65,6 @@ private:
     std::vector<shader::BvhTriangle> triangles_;
     std::vector<Source> sources_;
     gpu::Buffer unused_, node_buffer_, triangle_buffer_, top_buffer_;
-    gpu::Handle<VkBufferView> node_view_;
     gpu::DescriptorSet scene_set_, layout_set_;
     gpu::PipelineLayout layout_;
     gpu::ComputePipeline closest_, any_;

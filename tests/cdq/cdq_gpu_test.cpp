@@ -51,7 +51,7 @@ std::vector<CdqAnswer> ask(const gpu::Device& device, const std::vector<CdqQuery
     const gpu::Buffer questions = gpu::make_buffer(device, gpu::bytes_of(queries), "queries");
     const gpu::Buffer answers(device, queries.size() * sizeof(CdqAnswer), gpu::MemoryUse::Device,
                               "answers");
-    const std::vector<VkDescriptorType> types(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    const std::vector<gpu::BindingKind> types(2, gpu::BindingKind::Storage);
     gpu::DescriptorSet set(device, types, answers, "cdq");
     set.bind(0, questions);
     set.bind(1, answers);

@@ -37,7 +37,7 @@ protected:
         return download_now_as<uint32_t>(device_, buffer_, 0, 1)[0];
     }
 
-    static constexpr std::array types{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    static constexpr std::array types{BindingKind::Storage};
     test::ScratchFolder folder_;
     Device device_;
     Buffer buffer_;

@@ -27,7 +27,7 @@ protected:
     /// Reads values_[at]. Where the layer notices that this is past the buffer's end, it reads
     /// nothing.
     void read(uint32_t at) {
-        const std::vector<VkDescriptorType> types(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+        const std::vector<BindingKind> types(2, BindingKind::Storage);
         DescriptorSet set(*device_, types, answer_, "values");
         set.bind(0, values_);
         set.bind(1, answer_);

@@ -48,8 +48,8 @@ protected:
             gpu::make_buffer(device(), gpu::bytes_of(instances), "instances");
         const gpu::Buffer answers(device(), queries.size() * sizeof(uvec2), gpu::MemoryUse::Device,
                                   "answers");
-        const std::vector<VkDescriptorType> types(BINDING_INSTANCES + 1,
-                                                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+        std::vector<gpu::BindingKind> types(BINDING_INSTANCES + 1, gpu::BindingKind::Storage);
+        types[BINDING_INSTANCES] = gpu::BindingKind::Records;
         gpu::DescriptorSet scene(device(), types, answers, "scene");
         scene.bind(BINDING_INSTANCES, instance_buffer);
         gpu::DescriptorSet own(device(), std::span(types).first(2), answers, "lookup");

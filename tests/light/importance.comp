@@ -15,7 +15,11 @@ layout(constant_id = 0) const uint MODE = 0u;
 layout(constant_id = 1) const bool STORE_ALL = true;
 
 layout(set = 0, binding = 0, scalar) readonly buffer QueryBlock { ImportanceQuery queries[]; };
-layout(set = 0, binding = 1, scalar) readonly buffer LightBlock { Light lights[]; };
+struct LightRecord {
+    Light light;
+    uint unused[3]; // as the host's
+};
+layout(set = 0, binding = 1, scalar) readonly buffer LightBlock { LightRecord lights[]; };
 layout(set = 0, binding = 2, scalar) writeonly buffer ResultBlock { float results[]; };
 layout(set = 0, binding = 3, scalar) writeonly buffer RandomBlock { uvec3 words[]; };
 
@@ -44,7 +48,7 @@ void main() {
     }
     float sum = 0.0;
     for (uint k = 0u; k < lights_per_query; ++k) {
-        const float importance = ask(surface, lights[(query.first_light + 7u * k) % light_count]);
+        const float importance = ask(surface, lights[(query.first_light + 7u * k) % light_count].light);
         sum += importance;
         if (STORE_ALL) results[index * lights_per_query + k] = importance;
     }

@@ -105,14 +105,16 @@ std::vector<shader::TraceAnswer> QueryGpu::trace(Backend backend, std::span<cons
     structures_.record(commands);
     gpu::full_barrier(commands.commands());
 
-    std::vector<VkDescriptorType> types(SCENE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    std::vector<gpu::BindingKind> types(SCENE_BINDING_COUNT, gpu::BindingKind::Storage);
+    for (const uint32_t records : {BINDING_BVH_NODES, BINDING_BVH_TRIANGLES, BINDING_TOP_NODES})
+        types[records] = gpu::BindingKind::Records;
+    types[BINDING_ACCELERATION_STRUCTURE] = gpu::BindingKind::Traced;
     gpu::DescriptorSet scene(device_, types, unused_, "scene");
     scene.bind(BINDING_BVH_NODES, nodes);
     scene.bind(BINDING_BVH_TRIANGLES, triangles);
     scene.bind(BINDING_TOP_NODES, top_nodes);
     scene.bind(BINDING_ACCELERATION_STRUCTURE, structures_.top());
-    gpu::DescriptorSet lists(device_, std::vector(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), unused_,
+    gpu::DescriptorSet lists(device_, std::vector(2, gpu::BindingKind::Storage), unused_,
                              "rays and answers");
     lists.bind(0, ray_buffer);
     lists.bind(1, answers);

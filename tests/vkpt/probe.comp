@@ -27,8 +27,8 @@ void main() {
         result = vec4(float(side), uv, 0.0);
         break;
     }
-    case 1u: result.xyz = sample_texture(textures[uint(given.x)], given.yz, given.w); break;
-    case 2u: result.xyz = fetch_texel(textures[uint(given.x)], uint(given.y), ivec2(given.zw)); break;
+    case 1u: result.xyz = sample_texture(load_texture(uint(given.x)), given.yz, given.w); break;
+    case 2u: result.xyz = fetch_texel(load_texture(uint(given.x)), uint(given.y), ivec2(given.zw)); break;
     case 3u: result.x = uintBitsToFloat(surface_cluster(load_primary_surface(primary_hits[uint(given.x)]))); break;
     case 4u: result.xyz = sky_radiance(given.xyz); break;
     }

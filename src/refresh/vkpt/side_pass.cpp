@@ -20,8 +20,7 @@ void SidePass::add_buffer(size_t bytes) {
 }
 
 void SidePass::make_pipeline() {
-    const std::vector<VkDescriptorType> own_types(buffers_.size(),
-                                                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    const std::vector<gpu::BindingKind> own_types(buffers_.size(), gpu::BindingKind::Storage);
     set_ = gpu::DescriptorSet(device_, own_types, unused_, name_.c_str());
     const FrameBuffers& buffers = renderer_.buffers();
     layout_ = gpu::PipelineLayout(device_, {&buffers.scene_set(), &buffers.technique_set(),

@@ -29,13 +29,20 @@ glm::uvec2 filter_tiles(glm::uvec2 size) {
     return (size + (edge - 1)) / edge;
 }
 
+std::vector<gpu::BindingKind> binding_kinds() {
+    std::vector<gpu::BindingKind> kinds(FILTER_BINDING_COUNT, gpu::BindingKind::Storage);
+    for (const uint32_t records : {BINDING_FILTER_SURFACE_RECORDS, BINDING_FILTER_HISTORY_RECORDS,
+                                   BINDING_FILTER_STATISTICS_RECORDS, BINDING_FILTER_LIGHT_RECORDS,
+                                   BINDING_FILTER_TILE_RECORDS})
+        kinds[records] = gpu::BindingKind::Records;
+    return kinds;
+}
+
 } // namespace
 
 Filter::Filter(const gpu::Device& device, gpu::PipelineCompiler& compiler, FrameBuffers& buffers)
     : device_(device), buffers_(buffers), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
-      set_(device,
-           std::vector<VkDescriptorType>(FILTER_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
-           unused_, "filter set"),
+      set_(device, binding_kinds(), unused_, "filter set"),
       layout_(device, {&buffers.scene_set(), &set_}), light_changes_(device, "light changes"),
       tiles_(Pass::FilterTiles, compiler, layout_),
       temporal_(Pass::FilterTemporal, compiler, layout_),
@@ -61,6 +68,7 @@ Filter::Kept Filter::make_buffers() const {
     };
     return {make(2 * pixels * sizeof(shader::FilterSurface), "filter surfaces"),
             make(2 * pixels * sizeof(shader::FilterHistory), "filter history"),
+            make(2 * pixels * sizeof(shader::FilterStatistics), "filter statistics"),
             make(2 * pixels * sizeof(glm::uvec4), "filter light"),
             make(2 * pixels * sizeof(glm::uvec2), "filter resolved"),
             make(uint64_t{tiles.x} * tiles.y * sizeof(shader::FilterTile), "filter tiles")};
@@ -101,6 +109,12 @@ bool Filter::follow(const refresh::Settings& settings) {
         set_.bind(BINDING_FILTER_LIGHT, kept_.light);
         set_.bind(BINDING_FILTER_RESOLVED, kept_.resolved);
         set_.bind(BINDING_FILTER_TILES, kept_.tiles);
+        set_.bind(BINDING_FILTER_STATISTICS, kept_.statistics);
+        set_.bind(BINDING_FILTER_SURFACE_RECORDS, kept_.surfaces);
+        set_.bind(BINDING_FILTER_HISTORY_RECORDS, kept_.history);
+        set_.bind(BINDING_FILTER_STATISTICS_RECORDS, kept_.statistics);
+        set_.bind(BINDING_FILTER_LIGHT_RECORDS, kept_.light);
+        set_.bind(BINDING_FILTER_TILE_RECORDS, kept_.tiles);
         size_ = buffers_.most_traced();
         on_ = true;
     } catch (const Error& error) {
@@ -173,7 +187,8 @@ void Filter::record(gpu::FrameCommands& commands, std::span<const PictureSide> s
 uint64_t Filter::bytes() const {
     if (!on_) return 0;
     return buffers_.filter_input().bytes() + kept_.surfaces.bytes() + kept_.history.bytes() +
-           kept_.light.bytes() + kept_.resolved.bytes() + kept_.tiles.bytes();
+           kept_.statistics.bytes() + kept_.light.bytes() + kept_.resolved.bytes() +
+           kept_.tiles.bytes();
 }
 
 } // namespace vigil::vkpt

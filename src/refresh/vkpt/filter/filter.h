@@ -42,7 +42,7 @@ public:
 
 private:
     struct Kept { // by pixel
-        gpu::Buffer surfaces, history, light, resolved, tiles;
+        gpu::Buffer surfaces, history, statistics, light, resolved, tiles;
     };
     Kept make_buffers() const;
     bool follow(const refresh::Settings& settings);

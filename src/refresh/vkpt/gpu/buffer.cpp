@@ -19,14 +19,15 @@ std::string size_text(uint64_t bytes) {
 
 Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* name,
                VkBufferUsageFlags extra_usage)
-    : bytes_(std::max<uint64_t>(bytes, 16)) {
+    : device_(&device), bytes_(std::max<uint64_t>(bytes, 16)) {
     if (use == MemoryUse::Device && bytes_ > device.features().max_storage_buffer_bytes)
         fail("{} needs {}, but this device's buffers end at {}", name, size_text(bytes_),
              size_text(device.features().max_storage_buffer_bytes));
     auto info = structure<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
     info.size = bytes_;
     info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | extra_usage;
-    if (use == MemoryUse::Device) info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    if (use == MemoryUse::Device)
+        info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     buffer_ = device.make(vkCreateBuffer, vkDestroyBuffer, info, "vkCreateBuffer",
                           VK_OBJECT_TYPE_BUFFER, name);
 
@@ -56,6 +57,23 @@ Buffer::Buffer(const Device& device, uint64_t bytes, MemoryUse use, const char* 
     }
 }
 
+VkBufferView Buffer::texels(VkFormat format) const {
+    const bool records = format == VK_FORMAT_R32G32B32A32_UINT;
+    Handle<VkBufferView>& view = views_[records ? 1 : 0];
+    if (view) return view.get();
+    const uint64_t texel_bytes = records ? 16 : 4;
+    const uint32_t limit = device_->properties().limits.maxTexelBufferElements;
+    if (bytes_ / texel_bytes > limit)
+        fail("{} need {}, but this device reads at most {} texels of {} bytes", name(),
+             size_text(bytes_), limit, texel_bytes);
+    auto info = structure<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
+    info.buffer = buffer_.get();
+    info.format = format;
+    info.range = VK_WHOLE_SIZE;
+    view = device_->make(vkCreateBufferView, vkDestroyBufferView, info, "vkCreateBufferView");
+    return view.get();
+}
+
 bool grow(const Device& device, Buffer& buffer, uint64_t bytes, const char* name,
           VkBufferUsageFlags extra_usage) {
     if (buffer && buffer.bytes() >= bytes) return false;
@@ -63,19 +81,6 @@ bool grow(const Device& device, Buffer& buffer, uint64_t bytes, const char* name
     buffer = Buffer(device, std::max<uint64_t>(bytes + bytes / 2, 256), MemoryUse::Device, name,
                     extra_usage);
     return true;
-}
-
-Handle<VkBufferView> make_texel_view(const Device& device, const Buffer& buffer, const char* name) {
-    constexpr uint64_t texel_bytes = 16;
-    const uint32_t limit = device.properties().limits.maxTexelBufferElements;
-    if (buffer.bytes() / texel_bytes > limit)
-        fail("{} need {}, but this device reads at most {} texels of {} bytes", name,
-             size_text(buffer.bytes()), limit, texel_bytes);
-    auto info = structure<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
-    info.buffer = buffer.handle();
-    info.format = VK_FORMAT_R32G32B32A32_UINT;
-    info.range = VK_WHOLE_SIZE;
-    return device.make(vkCreateBufferView, vkDestroyBufferView, info, "vkCreateBufferView");
 }
 
 } // namespace vigil::gpu

@@ -4,6 +4,7 @@
 
 #include "refresh/vkpt/gpu/device.h"
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -30,6 +31,12 @@ public:
     const std::string& name() const { return share_.name(); }
     explicit operator bool() const { return static_cast<bool>(buffer_); }
 
+    /// A buffer of MemoryUse::Device as texels of `format`, R32_UINT or R32G32B32A32_UINT: shaders
+    /// read them through the texture path. It lives as long as the buffer. Vulkan promises 65,536
+    /// texels, drivers in use offer millions. Throws Error with the buffer's name when the device's
+    /// texel buffers are too short for it.
+    VkBufferView texels(VkFormat format) const;
+
     /// Host pointer; null for MemoryUse::Device.
     std::byte* mapped() const { return mapped_; }
     template <typename T> std::span<T> mapped_as() const {
@@ -40,6 +47,9 @@ private:
     MemoryShare share_;
     Handle<VkDeviceMemory> memory_; // freed after buffer_ (declared before it)
     Handle<VkBuffer> buffer_;
+    mutable std::array<Handle<VkBufferView>, 2>
+        views_; // of words and of records, made when asked for
+    const Device* device_ = nullptr;
     uint64_t bytes_ = 0;
     std::byte* mapped_ = nullptr;
 };
@@ -48,11 +58,6 @@ private:
 /// device is idle then, and returns true.
 bool grow(const Device& device, Buffer& buffer, uint64_t bytes, const char* name,
           VkBufferUsageFlags extra_usage = 0);
-
-/// A buffer made with VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT as texels of format
-/// R32G32B32A32_UINT; it outlives the view. Vulkan promises 65,536 texels (1 MiB), drivers in use
-/// offer millions. Throws Error with `name` when the device's texel buffers are too short for it.
-Handle<VkBufferView> make_texel_view(const Device& device, const Buffer& buffer, const char* name);
 
 /// Views any contiguous range of trivially copyable values as bytes.
 template <typename Range> std::span<const std::byte> bytes_of(const Range& range) {

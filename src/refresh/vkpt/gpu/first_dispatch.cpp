@@ -7,17 +7,12 @@ namespace vigil::gpu {
 
 FirstDispatch::FirstDispatch(const Device& device, FrameCommands& commands, const PipelineJob& job)
     : device_(device), commands_(commands),
-      buffer_(device, 16, MemoryUse::Device, "unused", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
-      texels_(device, 16, MemoryUse::Device, "unused texels",
-              VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT),
-      view_(make_texel_view(device, texels_, "unused texels")) {
+      buffer_(device, 16, MemoryUse::Device, "unused", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT) {
     std::vector<VkDescriptorSet> handles;
-    for (const std::vector<VkDescriptorType>& types : job.layout->sets()) {
+    for (const std::vector<BindingKind>& types : job.layout->sets()) {
         DescriptorSet& set = sets_.emplace_back(device, types, buffer_, "unused");
-        for (uint32_t i = 0; i < types.size(); ++i) {
-            if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) set.bind(i, buffer_);
-            if (types[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) set.bind(i, view_.get());
-        }
+        for (uint32_t i = 0; i < types.size(); ++i)
+            if (types[i] == BindingKind::Uniform) set.bind(i, buffer_);
         handles.push_back(set.handle());
     }
 

@@ -26,8 +26,7 @@ private:
     const Device& device_;
     FrameCommands& commands_;
     // Something valid at each binding that the shader uses.
-    Buffer buffer_, texels_;
-    Handle<VkBufferView> view_;
+    Buffer buffer_;
     std::vector<DescriptorSet> sets_;
     bool done_ = false;
 };

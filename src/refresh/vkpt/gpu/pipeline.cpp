@@ -71,7 +71,26 @@ PipelineCache::~PipelineCache() {
     }
 }
 
-DescriptorSet::DescriptorSet(const Device& device, std::span<const VkDescriptorType> types,
+namespace {
+
+VkDescriptorType descriptor_type(BindingKind kind) {
+    switch (kind) {
+    case BindingKind::Storage:
+        return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingKind::Uniform:
+        return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::Records:
+    case BindingKind::Words:
+        return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    case BindingKind::Traced:
+        break;
+    }
+    return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+}
+
+} // namespace
+
+DescriptorSet::DescriptorSet(const Device& device, std::span<const BindingKind> types,
                              const Buffer& unused, const char* name)
     : device_(&device), types_(types.begin(), types.end()) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
@@ -79,11 +98,11 @@ DescriptorSet::DescriptorSet(const Device& device, std::span<const VkDescriptorT
     for (uint32_t i = 0; i < types_.size(); ++i) {
         VkDescriptorSetLayoutBinding binding{};
         binding.binding = i;
-        binding.descriptorType = types_[i];
+        binding.descriptorType = descriptor_type(types_[i]);
         binding.descriptorCount = 1;
         binding.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
         bindings.push_back(binding);
-        sizes.push_back({types_[i], 1});
+        sizes.push_back({binding.descriptorType, 1});
     }
     auto layout_info = structure<VkDescriptorSetLayoutCreateInfo>(
         VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
@@ -109,20 +128,18 @@ DescriptorSet::DescriptorSet(const Device& device, std::span<const VkDescriptorT
     check(vkAllocateDescriptorSets(device.handle(), &allocate, &set_), "vkAllocateDescriptorSets");
     device.set_name(VK_OBJECT_TYPE_DESCRIPTOR_SET, set_, name);
     for (uint32_t i = 0; i < types_.size(); ++i) {
-        if (types_[i] == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) bind(i, unused);
+        if (types_[i] != BindingKind::Uniform && types_[i] != BindingKind::Traced) bind(i, unused);
     }
 }
 
 void DescriptorSet::bind(uint32_t binding, const Buffer& buffer) {
     const VkDescriptorBufferInfo info{buffer.handle(), 0, VK_WHOLE_SIZE};
+    VkBufferView view = VK_NULL_HANDLE;
     auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     write.pBufferInfo = &info;
-    bind(binding, write);
-}
-
-void DescriptorSet::bind(uint32_t binding, VkBufferView texels) {
-    auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    write.pTexelBufferView = &texels;
+    write.pTexelBufferView = &view;
+    if (types_[binding] == BindingKind::Records) view = buffer.texels(VK_FORMAT_R32G32B32A32_UINT);
+    if (types_[binding] == BindingKind::Words) view = buffer.texels(VK_FORMAT_R32_UINT);
     bind(binding, write);
 }
 
@@ -138,7 +155,7 @@ void DescriptorSet::bind(uint32_t binding, VkWriteDescriptorSet write) {
     write.dstSet = set_;
     write.dstBinding = binding;
     write.descriptorCount = 1;
-    write.descriptorType = types_[binding];
+    write.descriptorType = descriptor_type(types_[binding]);
     vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Compute pipelines, their descriptor sets and the pipeline cache on disk. All passes share one
-// layout per set: a set is a row of storage buffers (binding 0 of the scene set is a uniform
-// buffer, and one binding may be an acceleration structure), so a pass needs no set-up code of its
-// own.
+// layout per set: a set is a row of buffers, of which BindingKind says how shaders read them (one
+// binding may be an acceleration structure), so a pass needs no set-up code of its own.
 #pragma once
 
 #include "refresh/vkpt/gpu/buffer.h"
@@ -35,22 +34,30 @@ private:
     size_t loaded_bytes_ = 0;
 };
 
+/// What a binding of a set is.
+enum class BindingKind {
+    Storage, ///< a storage buffer
+    Uniform, ///< a uniform buffer
+    Records, ///< a buffer that is only read, as texels of 16 bytes (utextureBuffer)
+    Words,   ///< the same, as texels of 4 bytes
+    Traced,  ///< an acceleration structure
+};
+
 /// A descriptor set whose bindings 0 .. n-1 have the given types, with a layout and memory of its
 /// own.
 class DescriptorSet {
 public:
     DescriptorSet() = default;
     /// `unused` stands in at bindings that were not set, so that every set is complete.
-    DescriptorSet(const Device& device, std::span<const VkDescriptorType> types,
-                  const Buffer& unused, const char* name);
+    DescriptorSet(const Device& device, std::span<const BindingKind> types, const Buffer& unused,
+                  const char* name);
 
     VkDescriptorSetLayout layout() const { return layout_.get(); }
     VkDescriptorSet handle() const { return set_; }
-    const std::vector<VkDescriptorType>& types() const { return types_; }
+    const std::vector<BindingKind>& types() const { return types_; }
 
     /// Points a binding at a buffer; the GPU must not be using the set.
     void bind(uint32_t binding, const Buffer& buffer);
-    void bind(uint32_t binding, VkBufferView texels);
     void bind(uint32_t binding, VkAccelerationStructureKHR traced);
 
 private:
@@ -58,7 +65,7 @@ private:
     void bind(uint32_t binding, VkWriteDescriptorSet write);
 
     const Device* device_ = nullptr;
-    std::vector<VkDescriptorType> types_;
+    std::vector<BindingKind> types_;
     Handle<VkDescriptorSetLayout> layout_;
     Handle<VkDescriptorPool> pool_;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
@@ -72,10 +79,10 @@ public:
     PipelineLayout(const Device& device, std::initializer_list<const DescriptorSet*> sets);
     VkPipelineLayout handle() const { return layout_.get(); }
     /// What the bindings of each set are.
-    const std::vector<std::vector<VkDescriptorType>>& sets() const { return sets_; }
+    const std::vector<std::vector<BindingKind>>& sets() const { return sets_; }
 
 private:
-    std::vector<std::vector<VkDescriptorType>> sets_;
+    std::vector<std::vector<BindingKind>> sets_;
     Handle<VkPipelineLayout> layout_;
 };
 

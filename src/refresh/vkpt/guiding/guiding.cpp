@@ -63,10 +63,12 @@ Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, siz
       merge_(Pass::VlcMerge, compiler, layout_), guide_(Pass::GuideAdapt, compiler, layout_),
       adapt_(Pass::OctreeAdapt, compiler, layout_),
       augment_(Pass::OctreeAugment, compiler, layout_) {
-    const std::vector<VkDescriptorType> lookup(GUIDING_BINDING_COUNT,
-                                               VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    const std::vector<VkDescriptorType> passes(GUIDING_PASS_BINDING_COUNT,
-                                               VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    std::vector<gpu::BindingKind> lookup(GUIDING_BINDING_COUNT, gpu::BindingKind::Storage);
+    for (const uint32_t words :
+         {BINDING_GUIDING_NODES, BINDING_GUIDING_VLC, BINDING_GUIDING_LEAF_WORDS})
+        lookup[words] = gpu::BindingKind::Words;
+    const std::vector<gpu::BindingKind> passes(GUIDING_PASS_BINDING_COUNT,
+                                               gpu::BindingKind::Storage);
     for (Tree& tree : trees_) {
         tree.lookup = gpu::DescriptorSet(device, lookup, unused_, "guiding look-up set");
         tree.passes = gpu::DescriptorSet(device, passes, unused_, "guiding pass set");
@@ -185,6 +187,7 @@ void Guiding::bind(Tree& from, const Tree& to) {
     lookup.bind(BINDING_GUIDING_HEADER, header_buffer_);
     lookup.bind(BINDING_GUIDING_NODES, from.nodes);
     lookup.bind(BINDING_GUIDING_LEAVES, from.leaves);
+    lookup.bind(BINDING_GUIDING_LEAF_WORDS, from.leaves);
     lookup.bind(BINDING_GUIDING_SAMPLES, samples_);
     const gpu::Buffer& rays = rays_ ? rays_ : unused_;
     lookup.bind(BINDING_GUIDING_RAYS, rays);

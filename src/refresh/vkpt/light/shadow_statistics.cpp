@@ -21,7 +21,7 @@ constexpr uint64_t least_slots = 1 << 12, most_slots = 1 << 21;
 
 ShadowStatistics::ShadowStatistics(const gpu::Device& device, gpu::PipelineCompiler& compiler)
     : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
-      set_(device, std::array{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}, unused_, "shadow statistics set"),
+      set_(device, std::array{gpu::BindingKind::Storage}, unused_, "shadow statistics set"),
       layout_(device, {&set_}), pass_(Pass::ShadowStatistics, compiler, layout_) {}
 
 uint32_t ShadowStatistics::slots_for(uint64_t pairs) {

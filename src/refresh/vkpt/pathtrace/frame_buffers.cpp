@@ -9,15 +9,32 @@ namespace vigil::vkpt {
 
 namespace {
 
-std::vector<VkDescriptorType> scene_binding_types(bool ray_query) {
-    std::vector<VkDescriptorType> types(SCENE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    types[BINDING_FRAME] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    types[BINDING_BVH_NODES] = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+template <typename... T> constexpr bool are_whole_texels = ((sizeof(T) % 16 == 0) && ...);
+static_assert(
+    are_whole_texels<shader::BvhTriangle, shader::TopNode, shader::Instance, shader::Primitive,
+                     shader::Material, shader::Texture, shader::Light, shader::BspTreeNode>);
+
+std::vector<gpu::BindingKind> scene_bindings(bool ray_query) {
+    std::vector<gpu::BindingKind> kinds(SCENE_BINDING_COUNT, gpu::BindingKind::Storage);
+    kinds[BINDING_FRAME] = gpu::BindingKind::Uniform;
+    for (const uint32_t records :
+         {BINDING_BVH_NODES, BINDING_BVH_TRIANGLES, BINDING_TOP_NODES, BINDING_INSTANCES,
+          BINDING_PRIMITIVES, BINDING_MATERIALS, BINDING_TEXTURES, BINDING_LIGHTS, BINDING_BSP})
+        kinds[records] = gpu::BindingKind::Records;
+    kinds[BINDING_TEXELS] = gpu::BindingKind::Words;
     if (ray_query)
-        types[BINDING_ACCELERATION_STRUCTURE] = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+        kinds[BINDING_ACCELERATION_STRUCTURE] = gpu::BindingKind::Traced;
     else
-        types.resize(BINDING_ACCELERATION_STRUCTURE);
-    return types;
+        kinds.resize(BINDING_ACCELERATION_STRUCTURE);
+    return kinds;
+}
+
+std::vector<gpu::BindingKind> technique_bindings() {
+    std::vector<gpu::BindingKind> kinds(TECHNIQUE_BINDING_COUNT, gpu::BindingKind::Words);
+    for (const uint32_t storage : {BINDING_SHADOW_STATISTICS, BINDING_LIST_COUNTS})
+        kinds[storage] = gpu::BindingKind::Storage;
+    kinds[BINDING_LIGHT_NODES] = gpu::BindingKind::Records;
+    return kinds;
 }
 
 } // namespace
@@ -32,11 +49,9 @@ FrameBuffers::FrameBuffers(const gpu::Device& device, const gpu::DescriptorSet& 
                      sizeof(float) * (shader::DIRECTION_MAP_GROUPS +
                                       shader::DIRECTION_MAP_EDGE * shader::DIRECTION_MAP_EDGE),
                      gpu::MemoryUse::Device, "direction map"),
-      scene_set_(device, scene_binding_types(device.features().ray_query), unused_, "scene set") {
-    const std::vector<VkDescriptorType> technique_types(TECHNIQUE_BINDING_COUNT,
-                                                        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+      scene_set_(device, scene_bindings(device.features().ray_query), unused_, "scene set") {
     for (gpu::DescriptorSet& set : technique_sets_)
-        set = gpu::DescriptorSet(device, technique_types, unused_, "technique set");
+        set = gpu::DescriptorSet(device, technique_bindings(), unused_, "technique set");
     layout_ = gpu::PipelineLayout(device, {&scene_set_, &technique_sets_[0], &guiding});
     gpu::run_now(device, [&](VkCommandBuffer commands) {
         vkCmdFillBuffer(commands, counters_.handle(), 0, VK_WHOLE_SIZE, 0);

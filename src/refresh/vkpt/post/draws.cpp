@@ -33,7 +33,7 @@ struct Push {
 Draws::Draws(const gpu::Device& device, gpu::PipelineCompiler& compiler)
     : device_(device), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
       rect_buffer_(device, "draws"),
-      set_(device, std::vector(DRAWS_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), unused_,
+      set_(device, std::vector(DRAWS_BINDING_COUNT, gpu::BindingKind::Storage), unused_,
            "draw set"),
       layout_(device, {&set_}), pass_(Pass::Draws, compiler, layout_) {}
 

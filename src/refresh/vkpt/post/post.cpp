@@ -10,8 +10,8 @@ namespace vigil::vkpt {
 
 Post::Post(const gpu::Device& device, gpu::PipelineCompiler& compiler, const FrameBuffers& buffers)
     : buffers_(buffers), unused_(device, 16, gpu::MemoryUse::Device, "unused"),
-      upscale_set_(device, std::vector(UPSCALE_BINDING_COUNT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
-                   unused_, "upscale set"),
+      upscale_set_(device, std::vector(UPSCALE_BINDING_COUNT, gpu::BindingKind::Storage), unused_,
+                   "upscale set"),
       upscale_layout_(device, {&upscale_set_}),
       accumulate_(Pass::Accumulate, compiler, buffers.layout()),
       exposure_(Pass::Exposure, compiler, buffers.layout()),

@@ -354,13 +354,10 @@ bool Scene::prepare(const refresh::Frame& frame) {
 
 bool Scene::upload_static() {
     device_.wait_idle();
-    node_view_.reset();
-    const auto replace = [this](gpu::Buffer& buffer, const auto& values, const char* name,
-                                VkBufferUsageFlags extra_usage = 0) {
-        buffer = gpu::make_buffer(device_, gpu::bytes_of(values), name, extra_usage);
+    const auto replace = [this](gpu::Buffer& buffer, const auto& values, const char* name) {
+        buffer = gpu::make_buffer(device_, gpu::bytes_of(values), name);
     };
-    replace(nodes_buffer_, nodes_, "bottom-level nodes", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    node_view_ = gpu::make_texel_view(device_, nodes_buffer_, "bottom-level nodes");
+    replace(nodes_buffer_, nodes_, "bottom-level nodes");
     replace(triangles_buffer_, triangles_, "triangles");
     replace(primitives_buffer_, primitives_, "primitives");
     replace(materials_buffer_, materials_->materials(), "materials");

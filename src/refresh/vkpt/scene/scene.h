@@ -69,8 +69,7 @@ public:
     uint64_t revision() const { return revision_; }
     refresh::SceneReport report() const;
 
-    /// The nodes as texels, for shaders compiled with TRACE_TEXEL=1.
-    VkBufferView nodes() const { return node_view_.get(); }
+    const gpu::Buffer& nodes() const { return nodes_buffer_; }
     const gpu::Buffer& triangles() const { return triangles_buffer_; }
     const gpu::Buffer& primitives() const { return primitives_buffer_; }
     const gpu::Buffer& top_nodes() const { return top_buffer_; }
@@ -205,7 +204,6 @@ private:
     gpu::Buffer nodes_buffer_, triangles_buffer_, primitives_buffer_, top_buffer_,
         instances_buffer_, materials_buffer_, textures_buffer_, texels_buffer_, lights_buffer_,
         cluster_buffer_;
-    gpu::Handle<VkBufferView> node_view_;             // of nodes_buffer_, destroyed before it
     std::optional<AccelerationStructures> ray_query_; // while rays are traced by queries
 };
 
