@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 namespace vigil::client {
 namespace {
@@ -62,6 +63,21 @@ protected:
         return sum / static_cast<double>(a.rgba.size());
     }
 };
+
+TEST_F(DemoGpuTest, TheFirstPictureOfAFlightIsCalm) {
+    // The camera hardly moves from picture to picture: what they differ by is noise.
+    for (const char* first : {"0", "12"})
+        ASSERT_EQ(run(fmt::format(
+                      "+set flt_enable 1 +set flt_first {0} +map ring +fly ring 4 f{0} 1", first)),
+                  0)
+            << errors_;
+    const auto noise = [&](const std::string& name) {
+        return difference(picture(name + "_000.png"), picture(name + "_001.png"));
+    };
+    std::cout << fmt::format("first two pictures differ by {:.2f}, calm ones by {:.2f}\n",
+                             noise("f0"), noise("f12"));
+    EXPECT_LT(noise("f12"), 0.6 * noise("f0"));
+}
 
 TEST_F(DemoGpuTest, ADemoPlayedTwiceGivesTheSamePictures) {
     ASSERT_EQ(run("+map ring +record ring ring"), 0) << errors_;

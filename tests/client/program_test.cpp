@@ -304,22 +304,23 @@ TEST_F(ProgramTest, FliesARouteAndReports) {
     EXPECT_EQ(run("+set timedemo_json fly.json +map tiny +fly line 10 shot 2 +echo landed +quit"),
               0);
     EXPECT_EQ(errors_, "");
-    EXPECT_EQ(render_.count("render"), 6u); // 0.5 s at 10 fps, both ends
+    EXPECT_EQ(render_.count("render"), 7u); // 0.5 s at 10 fps, both ends; and before, for calm
     EXPECT_EQ(render_.count("picture"), 3u);
     EXPECT_TRUE(game_.exists("out/shot_000.png"));
     EXPECT_TRUE(game_.exists("out/shot_002.png"));
     EXPECT_FALSE(game_.exists("out/shot_003.png"));
     EXPECT_EQ(render_.views.front().origin, glm::vec3(0, 0, 10));
     EXPECT_EQ(render_.views.back().origin, glm::vec3(100, 0, 10));
-    EXPECT_NEAR(render_.times[1] - render_.times[0], 0.1, 1e-9);
+    EXPECT_NEAR(render_.times[2] - render_.times[1], 0.1, 1e-9);
     EXPECT_LT(output_.find("6 frames, "), output_.find("landed"));
     EXPECT_NE(output_.find(" fps\n"), std::string::npos);
 
     const auto report = nlohmann::json::parse(game_.read("out/fly.json"));
     EXPECT_EQ(report["frames"].size(), 6u);
     EXPECT_EQ(report["frames"][5]["passes_ms"]["shade"], 3.0);
-    // Frames 0 to 5 of the renderer counted as many leaves as their number.
-    EXPECT_DOUBLE_EQ(report["guiding"]["leaves"], 2.5);
+    // Frames 1 to 6 of the renderer counted as many leaves as their number; what came before the
+    // flight is in no report.
+    EXPECT_DOUBLE_EQ(report["guiding"]["leaves"], 3.5);
     EXPECT_EQ(report["device"], "a fake device");
     EXPECT_EQ(report["level"], "tiny");
     EXPECT_EQ(report["variables"]["timedemo_json"], "fly.json");

@@ -16,9 +16,12 @@ FlyThrough::FlyThrough(Route route, RunPlan plan)
 
 void FlyThrough::begin_frame(Session& session) {
     const int frame = run_.frame_count();
-    if (frame == 0) run_.begin(session);
     const Route::Key view = route_.at(frame / run_.plan().fps);
     session.camera().set(view.origin, view.angles);
+    if (frame == 0) {
+        if (!run_.plan().prefix.empty()) session.calm_first_picture();
+        run_.begin(session);
+    }
     if (frame > 0) session.advance(1.0 / run_.plan().fps);
 }
 

@@ -15,7 +15,8 @@ public:
 
     bool finished() const { return run_.frame_count() == frame_count_; }
 
-    /// Puts the camera at this frame's view and lets one frame of route time pass.
+    /// Puts the camera at this frame's view and lets one frame of route time pass. Where pictures
+    /// are kept, the first is as calm as a level's first in play.
     void begin_frame(Session& session);
     /// Takes this frame's times and picture. `seconds` is the time that rendering it took. Throws
     /// Error when the picture cannot be written.

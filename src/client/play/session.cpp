@@ -177,6 +177,13 @@ void Session::render(ImDrawData* overlay, bool uncapped) {
     shown_ = present();
 }
 
+void Session::calm_first_picture() {
+    const refresh::Settings settings = frame().settings;
+    if (!shown_ && settings.flt_enable != 0 && settings.pt_accumulate == 0 &&
+        settings.flt_first > 0)
+        render(nullptr);
+}
+
 std::vector<refresh::FrameTimes> Session::take_frame_times(bool wait) {
     std::vector<refresh::FrameTimes> times = renderer_->take_frame_times(wait);
     for (const refresh::FrameTimes& frame : times) {

@@ -78,6 +78,9 @@ public:
     /// Renders it, with `uncapped` without waiting for the display. Throws Error when the device is
     /// lost.
     void render(ImDrawData* overlay, bool uncapped = false);
+    /// If nothing of the level has been shown and frames are filtered: renders one, with the
+    /// unseen ones before it (flt_first).
+    void calm_first_picture();
     /// Number of the frame that was rendered last.
     uint64_t last_frame() const { return last_frame_; }
     /// GPU times and counts of the frames that were finished since the last call, which also enter
