@@ -39,9 +39,9 @@ void main() {
         tile[lane] = vec2(luminance(value), 1.0);
     }
     const vec2 sum = tile_sum(lane);
-    // A tile's mean hardly knows noise, which a mean of logarithms of single pixels would take for darkness or for light.
+    // A tile's mean hardly knows noise, which a mean of single pixels' roots would take for darkness.
     // Black tiles say nothing about how bright the rest should look.
     const float brightness = sum.x / sum.y;
-    const vec2 counted = brightness > 1e-6 ? vec2(log2(brightness), 1.0) : vec2(0.0);
+    const vec2 counted = brightness > 1e-6 ? vec2(pow(brightness, 1.0 / 3.0), 1.0) : vec2(0.0);
     if (lane == 0u) exposure_tiles[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = counted;
 }

@@ -1,8 +1,8 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `exposure`: one work group turns the tiles' luminances into the factor from radiance to display. The
-// geometric mean of the tiles comes out at middle grey (Reinhard et al. 2002, 18 %). Each picture is
-// exposed by itself, so that it does not depend on the frames before it; but filtered frames, which do, may follow slowly (exposure_part).
+// Pass `exposure`: one work group turns the tiles' luminances into the factor from radiance to display. The mean lightness of the
+// tiles, which grows with the cube root of luminance (CIE 1976), comes out at that of middle grey (18%). A geometric mean (Reinhard et
+// al. 2002) takes dark corners for a dark picture, and the rest turns white. Each picture is exposed by itself, so that it does not depend on the frames before it; but filtered frames, which do, may follow slowly (exposure_part).
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "post/picture.glsl"
@@ -24,7 +24,8 @@ void main() {
     if (lane != 0u) return;
     float value = frame.settings.pt_exposure;
     if (value == 0.0) {
-        value = 0.18 / exp2(sums[0].x / max(sums[0].y, 1.0));
+        const float root = sums[0].y > 0.0 ? sums[0].x / sums[0].y : 1.0;
+        value = 0.18 / (root * root * root);
         // As eyes do: by a part of the difference in stops.
         const float before = exposure / exp2(frame.settings.pt_exposure_bias);
         if (frame.exposure_part < 1.0 && before > 1e-7 && before < 1e7)

@@ -12,7 +12,7 @@ layout(set = SET_SCENE, binding = BINDING_ACCUMULATION, scalar) restrict buffer 
 // Result first, then one partial sum per tile.
 layout(set = SET_SCENE, binding = BINDING_EXPOSURE, scalar) restrict buffer ExposureBlock {
     float exposure;
-    vec2 exposure_tiles[]; // log2 of the mean luminance and 1; (0, 0) where the tile is black
+    vec2 exposure_tiles[]; // cube root of the mean luminance and 1; (0, 0) where the tile is black
 };
 layout(set = SET_SCENE, binding = BINDING_DISPLAY, scalar) restrict buffer DisplayBlock {
     uint display[]; // RGBA8, sRGB

@@ -17,9 +17,9 @@ double luminance(const dvec3& color) {
     return glm::dot(color, dvec3(0.2126, 0.7152, 0.0722));
 }
 
-/// Mean over the 8 x 8 tiles that are not black of log2 of their mean luminance.
-double mean_log_tile_luminance(const std::vector<dvec3>& colors, int width, int height) {
-    double logs = 0.0, tiles = 0.0;
+/// Mean over the 8 x 8 tiles that are not black of the cube root of their mean luminance.
+double mean_tile_root(const std::vector<dvec3>& colors, int width, int height) {
+    double roots = 0.0, tiles = 0.0;
     for (int top = 0; top < height; top += 8) {
         for (int left = 0; left < width; left += 8) {
             double sum = 0.0, count = 0.0;
@@ -30,11 +30,11 @@ double mean_log_tile_luminance(const std::vector<dvec3>& colors, int width, int 
                 }
             }
             if (sum / count <= 1e-6) continue;
-            logs += std::log2(sum / count);
+            roots += std::cbrt(sum / count);
             tiles += 1.0;
         }
     }
-    return logs / tiles;
+    return roots / tiles;
 }
 
 /// Displayed value in 0..255 of one pixel, not rounded.
@@ -81,9 +81,9 @@ TEST_F(PictureTest, ExposureAndToneCurves) {
                 for (size_t i = 0; i < pixels; ++i)
                     colors.push_back(
                         dvec3(seen.rgb[3 * i], seen.rgb[3 * i + 1], seen.rgb[3 * i + 2]));
-                const double mean_log = mean_log_tile_luminance(colors, seen.width, seen.height);
+                const double root = mean_tile_root(colors, seen.width, seen.height);
                 const double factor =
-                    (exposure > 0.0 ? exposure : 0.18 / std::exp2(mean_log)) * std::exp2(bias);
+                    (exposure > 0.0 ? exposure : 0.18 / std::pow(root, 3.0)) * std::exp2(bias);
                 for (size_t i = 0; i < pixels; ++i) {
                     const dvec3 expected = displayed(colors[i], factor, curve);
                     for (size_t c = 0; c < 3; ++c)
