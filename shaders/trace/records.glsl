@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is only read, and by each invocation elsewhere, is bound as texels of four words (records) or of one. On lavapipe such a load
-// from a storage buffer is a branch per lane and word (docs/internals/tracing.md). Their structures end in SHADER_PADDING where they would not be whole texels.
+// What is only read, and by each invocation elsewhere, is bound as texels of four words (records) or of one. On lavapipe such a
+// load from a storage buffer is a branch per lane and word (docs/internals/tracing.md). Structures of records end in SHADER_PADDING
+// where they would not be whole texels.
 #ifndef VIGIL_TRACE_RECORDS_GLSL
 #define VIGIL_TRACE_RECORDS_GLSL
 
