@@ -20,15 +20,8 @@ Random path_random(uvec2 pixel, uint stream) {
     return random_path(pixel, path_number(frame.frame, path_count, path_index), stream, uint(frame.settings.pt_seed));
 }
 
-/// A place of the picture for an invocation: a row of eight invocations, which is a subgroup or a part of one, gets 4 x 2 pixels. Their rays stay closer
-/// together than those of a row of pixels.
-uvec2 tiled(uvec2 invocation) {
-    const uvec2 lane = invocation & 7u;
-    return (invocation & ~7u) + uvec2((lane.y & 1u) << 2u | (lane.x & 3u), (lane.y & 6u) | lane.x >> 2u);
-}
-
 bool pixel_of_invocation(out uvec2 pixel, out uint index) {
-    pixel = tiled(gl_GlobalInvocationID.xy);
+    pixel = gl_GlobalInvocationID.xy;
     index = pixel.y * frame.size.x + pixel.x;
     const bool inside = all(lessThan(pixel, frame.size));
     if (inside) firewall_pixel = index;
@@ -36,8 +29,7 @@ bool pixel_of_invocation(out uvec2 pixel, out uint index) {
 }
 
 bool pixel_of_side_invocation(out uvec2 pixel, out uint index) {
-    pixel = tiled(gl_GlobalInvocationID.xy) + uvec2(first_column & ~7u, 0u);
-    const bool inside = inside_side(pixel);
+    const bool inside = pixel_of_side(pixel);
     index = pixel.y * frame.size.x + pixel.x;
     if (inside) firewall_pixel = index;
     return inside;
@@ -45,7 +37,7 @@ bool pixel_of_side_invocation(out uvec2 pixel, out uint index) {
 
 /// Of those pixels of the side whose turn it is.
 bool pixel_of_indirect_invocation(out uvec2 pixel, out uint index) {
-    pixel = indirect_pixel(tiled(gl_GlobalInvocationID.xy), indirect_turn) + uvec2(first_column & ~7u, 0u);
+    pixel = indirect_pixel(gl_GlobalInvocationID.xy, indirect_turn) + uvec2(first_column & ~7u, 0u);
     index = pixel.y * frame.size.x + pixel.x;
     const bool inside = inside_side(pixel);
     if (inside) firewall_pixel = index;
