@@ -11,7 +11,8 @@ vec3 offset_before(vec3 position, uint instance) { return previous_position(posi
 
 vec3 normal_before(vec3 normal, uint instance) {
     if (instance == 0u) return normal;
-    return normalize(mat3(load_instance(instance).previous_world_from_object) * (mat3(load_instance(instance).object_from_world) * normal));
+    const Instance moved = load_instance(instance);
+    return normalize(mat3(moved.previous_world_from_object) * (mat3(moved.object_from_world) * normal));
 }
 
 /// What a pixel shows in this frame, in the picture of the frame before (project_last); sky is infinitely far away.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `exposure`: one work group turns the tiles' luminances into the factor from radiance to display. The mean lightness of the
 // tiles, which grows with the cube root of luminance (CIE 1976), comes out at that of middle grey (18%). A geometric mean (Reinhard et
-// al. 2002) takes dark corners for a dark picture, and the rest turns white. Each picture is exposed by itself, so that it does not depend on the frames before it; but filtered frames, which do, may follow slowly (exposure_part).
+// al. 2002) takes dark corners for a dark picture, and the rest turns white. Each picture is exposed by itself, so that it does not
+// depend on the frames before it; but filtered frames, which do, may follow slowly (exposure_part).
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "post/picture.glsl"

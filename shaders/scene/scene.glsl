@@ -15,21 +15,21 @@ layout(set = SET_SCENE, binding = BINDING_LIGHTS) uniform utextureBuffer lights;
 
 // Fields that a caller does not use cost no loads.
 Instance load_instance(uint index) {
-    const int at = int(index) * 11;
+    const int at = int(index) * INSTANCE_TEXELS;
     const uvec4 words = texelFetch(instances, at + 9);
     return Instance(load_transform(instances, at), load_transform(instances, at + 3), load_transform(instances, at + 6), words.x, words.y,
                     words.z, words.w, load_floats(instances, at + 10).xyz);
 }
 
 Primitive load_primitive(uint index) {
-    const int at = int(index) * 3;
+    const int at = int(index) * PRIMITIVE_TEXELS;
     const vec4 a = load_floats(primitives, at);
     const uvec4 b = texelFetch(primitives, at + 1);
     return Primitive(a.xy, a.zw, uintBitsToFloat(b.xy), b.z, b.w, texelFetch(primitives, at + 2).x);
 }
 
 Material load_material(uint index) {
-    const int at = int(index) * 2;
+    const int at = int(index) * MATERIAL_TEXELS;
     const uvec4 a = texelFetch(materials, at);
     const vec4 b = load_floats(materials, at + 1);
     return Material(a.x, a.y, a.z, uintBitsToFloat(a.w), b.x, b.yzw);
@@ -41,7 +41,7 @@ Texture load_texture(uint index) {
 }
 
 Light load_light(uint id) {
-    const int at = int(id) * 4;
+    const int at = int(id) * LIGHT_TEXELS;
     const vec4 a = load_floats(lights, at), b = load_floats(lights, at + 1), c = load_floats(lights, at + 2);
     return Light(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw, texelFetch(lights, at + 3).x);
 }
@@ -69,7 +69,7 @@ vec3 fetch_texel(Texture header, uint level, ivec2 position) {
         width = max(width >> 1, 1u);
         height = max(height >> 1, 1u);
     }
-    return decode_texel(texelFetch(texels, int(first + uint(position.y) * width + uint(position.x))).x);
+    return decode_texel(load_word(texels, first + uint(position.y) * width + uint(position.x)));
 }
 
 ivec2 wrap_texel(ivec2 position, ivec2 size) {

@@ -12,8 +12,8 @@
 layout(set = SET_SCENE, binding = BINDING_BSP) uniform utextureBuffer bsp_nodes; // BspTreeNode[]
 
 BspTreeNode load_bsp_node(int index) {
-    const vec4 plane = load_floats(bsp_nodes, 2 * index);
-    const ivec4 children = ivec4(texelFetch(bsp_nodes, 2 * index + 1));
+    const vec4 plane = load_floats(bsp_nodes, BSP_NODE_TEXELS * index);
+    const ivec4 children = ivec4(texelFetch(bsp_nodes, BSP_NODE_TEXELS * index + 1));
     return BspTreeNode(plane.xyz, plane.w, children.x, children.y);
 }
 

@@ -58,6 +58,7 @@ struct TopNode {
     uint flags; // the instance's: INSTANCE_*
     SHADER_PADDING(2)
 };
+SHADER_CONST int TOP_NODE_TEXELS = 6;
 
 SHADER_CONST uint TOP_END = 0xffffffffu;
 

@@ -2,7 +2,7 @@
 // Lets one text compile as GLSL and as C++ (GLM): every header in shaders/shared includes this first.
 // Write functions as `SHADER_FN float f(float x, INOUT(uint) state)`, literals with the suffix f or u,
 // no swizzle assignments, and wrap declarations in SHADER_BEGIN / SHADER_END (namespace vigil::shader).
-// SHADER_PADDING(words) ends a structure whose buffer is read as texels of 16 bytes (trace/records.glsl).
+// SHADER_PADDING(words) ends a structure whose buffer is read as NAME_TEXELS texels of 16 bytes (trace/records.glsl).
 #ifndef VIGIL_SHARED_GLSL_H
 #define VIGIL_SHARED_GLSL_H
 

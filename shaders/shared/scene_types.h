@@ -24,6 +24,7 @@ struct Instance {
     vec3 glow;        // radiance that a white texel of it shows to camera rays besides what it reflects
     SHADER_PADDING(1)
 };
+SHADER_CONST int INSTANCE_TEXELS = 11;
 
 /// Bits 0..7 of Instance::flags: the rays that meet it. A ray's mask has one of them.
 SHADER_CONST uint INSTANCE_SEEN = 1u;  // by camera rays
@@ -45,6 +46,7 @@ struct BvhTriangle {
     vec3 e2;    // v2 - v0
     SHADER_PADDING(2)
 };
+SHADER_CONST int TRIANGLE_TEXELS = 3;
 
 /// Bits 0..7: coverage / 255: the chance that a ray stops here. 255 is opaque (both sides stop rays);
 /// below 255 the triangle is translucent, and only its front side exists.
@@ -60,6 +62,7 @@ struct Primitive {
     uint cluster; // PVS cluster, or NONE when the triangle touches several (then locate the point)
     SHADER_PADDING(3)
 };
+SHADER_CONST int PRIMITIVE_TEXELS = 3;
 
 SHADER_CONST uint MATERIAL_SKY = 1u;      // shows the sky; ends every path
 SHADER_CONST uint MATERIAL_EMISSIVE = 2u; // its triangles are lights
@@ -79,6 +82,7 @@ struct Material {
     float specular;    // reflectance at normal incidence, in [0, 1]
     vec3 inverse_mean; // 1 / mean linear texel: an emissive texel times this has mean 1; 0: plain emission
 };
+SHADER_CONST int MATERIAL_TEXELS = 2;
 
 /// A picture in the texel buffer: RGB9E5 (shared exponent, linear), rows from the top, mip levels one after
 /// another, each half the size before, rounded down, at least 1.
@@ -98,6 +102,7 @@ struct BspTreeNode {
     int back;
     SHADER_PADDING(2)
 };
+SHADER_CONST int BSP_NODE_TEXELS = 2;
 
 /// What a camera ray hit; written by the primary pass, read by the passes after it.
 struct PrimaryHit {
@@ -125,6 +130,7 @@ struct Light {
     uint flags; // LIGHT_*; 0: a lamp
     SHADER_PADDING(3)
 };
+SHADER_CONST int LIGHT_TEXELS = 4;
 
 /// Half of a cell of a window to the sky (scene/sky_windows.h). `radiance` is a mean, by which it is chosen; what comes through a
 /// point of it is the sky's in that direction, where a sky face is.

@@ -20,7 +20,7 @@ layout(constant_id = CONSTANT_EFFECTS) const bool HAS_EFFECTS = true;
 layout(set = SET_SCENE, binding = BINDING_BVH_TRIANGLES) uniform utextureBuffer bvh_triangles; // BvhTriangle[]
 
 BvhTriangle bvh_load_triangle(uint index) {
-    const int at = int(index) * 3;
+    const int at = int(index) * TRIANGLE_TEXELS;
     const uvec4 a = texelFetch(bvh_triangles, at);
     const vec4 b = load_floats(bvh_triangles, at + 1), c = load_floats(bvh_triangles, at + 2);
     return BvhTriangle(uintBitsToFloat(a.xyz), a.w, b.xyz, vec3(b.w, c.xy));

@@ -46,7 +46,7 @@ bool trace_backend(Ray ray, uint seed, uint mask, bool any_hit, out Hit hit) {
         // Find the next instance whose box the ray enters before the nearest hit so far.
         bool leaf = false;
         while (!leaf && next != TOP_END) {
-            const int at = int(next) * 6;
+            const int at = int(next) * TOP_NODE_TEXELS;
             const uvec4 lower = texelFetch(top_nodes, at), upper = texelFetch(top_nodes, at + 1);
             bool enters =
                 bvh_box_entry(uintBitsToFloat(lower.xyz), uintBitsToFloat(upper.xyz), ray.origin, inverse, ray.t_min, hit.t) < 3e38;

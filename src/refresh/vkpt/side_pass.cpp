@@ -20,8 +20,8 @@ void SidePass::add_buffer(size_t bytes) {
 }
 
 void SidePass::make_pipeline() {
-    const std::vector<gpu::BindingKind> own_types(buffers_.size(), gpu::BindingKind::Storage);
-    set_ = gpu::DescriptorSet(device_, own_types, unused_, name_.c_str());
+    const std::vector<gpu::BindingKind> own_kinds(buffers_.size(), gpu::BindingKind::Storage);
+    set_ = gpu::DescriptorSet(device_, own_kinds, unused_, name_.c_str());
     const FrameBuffers& buffers = renderer_.buffers();
     layout_ = gpu::PipelineLayout(device_, {&buffers.scene_set(), &buffers.technique_set(),
                                             &renderer_.guiding().look_up(), &set_});

@@ -29,6 +29,9 @@ glm::uvec2 filter_tiles(glm::uvec2 size) {
     return (size + (edge - 1)) / edge;
 }
 
+static_assert(sizeof(shader::FilterSurface) == 16 && sizeof(shader::FilterHistory) == 16 &&
+              sizeof(shader::FilterStatistics) == 16 && sizeof(shader::FilterTile) == 32);
+
 std::vector<gpu::BindingKind> binding_kinds() {
     std::vector<gpu::BindingKind> kinds(FILTER_BINDING_COUNT, gpu::BindingKind::Storage);
     for (const uint32_t records : {BINDING_FILTER_SURFACE_RECORDS, BINDING_FILTER_HISTORY_RECORDS,

@@ -9,10 +9,10 @@ FirstDispatch::FirstDispatch(const Device& device, FrameCommands& commands, cons
     : device_(device), commands_(commands),
       buffer_(device, 16, MemoryUse::Device, "unused", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT) {
     std::vector<VkDescriptorSet> handles;
-    for (const std::vector<BindingKind>& types : job.layout->sets()) {
-        DescriptorSet& set = sets_.emplace_back(device, types, buffer_, "unused");
-        for (uint32_t i = 0; i < types.size(); ++i)
-            if (types[i] == BindingKind::Uniform) set.bind(i, buffer_);
+    for (const std::vector<BindingKind>& kinds : job.layout->sets()) {
+        DescriptorSet& set = sets_.emplace_back(device, kinds, buffer_, "unused");
+        for (uint32_t i = 0; i < kinds.size(); ++i)
+            if (kinds[i] == BindingKind::Uniform) set.bind(i, buffer_);
         handles.push_back(set.handle());
     }
 

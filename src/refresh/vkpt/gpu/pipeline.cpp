@@ -90,15 +90,15 @@ VkDescriptorType descriptor_type(BindingKind kind) {
 
 } // namespace
 
-DescriptorSet::DescriptorSet(const Device& device, std::span<const BindingKind> types,
+DescriptorSet::DescriptorSet(const Device& device, std::span<const BindingKind> kinds,
                              const Buffer& unused, const char* name)
-    : device_(&device), types_(types.begin(), types.end()) {
+    : device_(&device), kinds_(kinds.begin(), kinds.end()) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     std::vector<VkDescriptorPoolSize> sizes;
-    for (uint32_t i = 0; i < types_.size(); ++i) {
+    for (uint32_t i = 0; i < kinds_.size(); ++i) {
         VkDescriptorSetLayoutBinding binding{};
         binding.binding = i;
-        binding.descriptorType = descriptor_type(types_[i]);
+        binding.descriptorType = descriptor_type(kinds_[i]);
         binding.descriptorCount = 1;
         binding.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
         bindings.push_back(binding);
@@ -127,8 +127,8 @@ DescriptorSet::DescriptorSet(const Device& device, std::span<const BindingKind> 
     allocate.pSetLayouts = &layout;
     check(vkAllocateDescriptorSets(device.handle(), &allocate, &set_), "vkAllocateDescriptorSets");
     device.set_name(VK_OBJECT_TYPE_DESCRIPTOR_SET, set_, name);
-    for (uint32_t i = 0; i < types_.size(); ++i) {
-        if (types_[i] != BindingKind::Uniform && types_[i] != BindingKind::Traced) bind(i, unused);
+    for (uint32_t i = 0; i < kinds_.size(); ++i) {
+        if (kinds_[i] != BindingKind::Uniform && kinds_[i] != BindingKind::Traced) bind(i, unused);
     }
 }
 
@@ -138,8 +138,8 @@ void DescriptorSet::bind(uint32_t binding, const Buffer& buffer) {
     auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     write.pBufferInfo = &info;
     write.pTexelBufferView = &view;
-    if (types_[binding] == BindingKind::Records) view = buffer.texels(VK_FORMAT_R32G32B32A32_UINT);
-    if (types_[binding] == BindingKind::Words) view = buffer.texels(VK_FORMAT_R32_UINT);
+    if (kinds_[binding] == BindingKind::Records) view = buffer.texels(VK_FORMAT_R32G32B32A32_UINT);
+    if (kinds_[binding] == BindingKind::Words) view = buffer.texels(VK_FORMAT_R32_UINT);
     bind(binding, write);
 }
 
@@ -155,7 +155,7 @@ void DescriptorSet::bind(uint32_t binding, VkWriteDescriptorSet write) {
     write.dstSet = set_;
     write.dstBinding = binding;
     write.descriptorCount = 1;
-    write.descriptorType = descriptor_type(types_[binding]);
+    write.descriptorType = descriptor_type(kinds_[binding]);
     vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
 }
 
@@ -163,7 +163,7 @@ PipelineLayout::PipelineLayout(const Device& device,
                                std::initializer_list<const DescriptorSet*> sets) {
     std::vector<VkDescriptorSetLayout> layouts;
     for (const DescriptorSet* set : sets) {
-        sets_.push_back(set->types());
+        sets_.push_back(set->kinds());
         layouts.push_back(set->layout());
     }
     const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, 128};

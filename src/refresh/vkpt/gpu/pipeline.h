@@ -43,18 +43,18 @@ enum class BindingKind {
     Traced,  ///< an acceleration structure
 };
 
-/// A descriptor set whose bindings 0 .. n-1 have the given types, with a layout and memory of its
+/// A descriptor set whose bindings 0 .. n-1 are of the given kinds, with a layout and memory of its
 /// own.
 class DescriptorSet {
 public:
     DescriptorSet() = default;
     /// `unused` stands in at bindings that were not set, so that every set is complete.
-    DescriptorSet(const Device& device, std::span<const BindingKind> types, const Buffer& unused,
+    DescriptorSet(const Device& device, std::span<const BindingKind> kinds, const Buffer& unused,
                   const char* name);
 
     VkDescriptorSetLayout layout() const { return layout_.get(); }
     VkDescriptorSet handle() const { return set_; }
-    const std::vector<BindingKind>& types() const { return types_; }
+    const std::vector<BindingKind>& kinds() const { return kinds_; }
 
     /// Points a binding at a buffer; the GPU must not be using the set.
     void bind(uint32_t binding, const Buffer& buffer);
@@ -65,7 +65,7 @@ private:
     void bind(uint32_t binding, VkWriteDescriptorSet write);
 
     const Device* device_ = nullptr;
-    std::vector<BindingKind> types_;
+    std::vector<BindingKind> kinds_;
     Handle<VkDescriptorSetLayout> layout_;
     Handle<VkDescriptorPool> pool_;
     VkDescriptorSet set_ = VK_NULL_HANDLE;

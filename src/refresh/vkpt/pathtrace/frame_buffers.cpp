@@ -9,10 +9,15 @@ namespace vigil::vkpt {
 
 namespace {
 
-template <typename... T> constexpr bool are_whole_texels = ((sizeof(T) % 16 == 0) && ...);
-static_assert(
-    are_whole_texels<shader::BvhTriangle, shader::TopNode, shader::Instance, shader::Primitive,
-                     shader::Material, shader::Texture, shader::Light, shader::BspTreeNode>);
+// As the shaders load them.
+template <typename T> constexpr int texels_of = sizeof(T) % 16 == 0 ? sizeof(T) / 16 : -1;
+static_assert(texels_of<shader::BvhTriangle> == shader::TRIANGLE_TEXELS &&
+              texels_of<shader::TopNode> == shader::TOP_NODE_TEXELS &&
+              texels_of<shader::Instance> == shader::INSTANCE_TEXELS &&
+              texels_of<shader::Primitive> == shader::PRIMITIVE_TEXELS &&
+              texels_of<shader::Material> == shader::MATERIAL_TEXELS &&
+              texels_of<shader::Texture> == 1 && texels_of<shader::Light> == shader::LIGHT_TEXELS &&
+              texels_of<shader::BspTreeNode> == shader::BSP_NODE_TEXELS);
 
 std::vector<gpu::BindingKind> scene_bindings(bool ray_query) {
     std::vector<gpu::BindingKind> kinds(SCENE_BINDING_COUNT, gpu::BindingKind::Storage);
