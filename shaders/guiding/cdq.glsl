@@ -130,7 +130,7 @@ uint find_slot(uvec2 grid) {
     return slot;
 }
 
-void accumulate(LeafRays rays) {
+void accumulate(NodeRays rays) {
     for (uint i = gl_LocalInvocationID.x; i < rays.count; i += LANES) {
         const uint ray = ray_samples[ray_word(rays, i)];
         const float contribution = ray_sample_contribution(ray);
@@ -206,7 +206,7 @@ void guide_learn(uint octree_node_index, uint rays) {
         sums[node] = kept > 0.0 ? floatBitsToUint(kept * unpack_sum(old_leaves[memory + node / 2u], node & 1u)) : 0u;
     unfold(uvec4(old_leaves[words], old_leaves[words + 1u], old_leaves[words + 2u], old_leaves[words + 3u]));
     barrier();
-    for (uint child = 0u; child < 8u; ++child) accumulate(leaf_rays(octree_node_index, child, rays));
+    accumulate(rays_of(octree_node_index, rays));
     barrier();
     for (uint slot = lane; slot < GUIDER_SIZE; slot += LANES)
         if (first_child[slot] == 0u) moments[slot] = leaf_moment(slot);

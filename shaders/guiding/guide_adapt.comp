@@ -23,23 +23,23 @@ vec4 group_sum(vec4 value) {
     return sum;
 }
 
-/// The rays of one leaf that a guider looks at: of very many in a node some, evenly.
-struct LeafRays {
+/// The rays of a node that its guider looks at: of very many some, evenly.
+struct NodeRays {
     uint first; // stored one
     uint stored;
     uint count;
 };
 
-/// Those of a node with `rays` > 0, blank ones among them. None of a child that is an inner node.
-LeafRays leaf_rays(uint node, uint child, uint rays) {
-    const uint leaf = octree_leaf(node, child);
-    if (!octree_is_leaf(old_nodes[node], child)) return LeafRays(0u, 0u, 0u);
-    const uint stored = stored_rays(leaf);
-    return LeafRays(old_leaves[leaf_word(LEAF_STORAGE, leaf)], stored, stored / guide_stride(rays));
+uint stored_rays(uint node) { return min(old_node_rays(node).x, old_leaves[node_word(NODE_RAY_STORAGE, node) + 1u]); }
+
+/// Those of a node that has `rays` > 0, blank ones among them.
+NodeRays rays_of(uint node, uint rays) {
+    const uint stored = stored_rays(node);
+    return NodeRays(old_leaves[node_word(NODE_RAY_STORAGE, node)], stored, stored / guide_stride(rays));
 }
 
 /// First word of one of them.
-uint ray_word(LeafRays rays, uint i) { return RAY_SAMPLE_WORDS * (rays.first + spread_place(i, rays.stored, rays.count)); }
+uint ray_word(NodeRays rays, uint i) { return RAY_SAMPLE_WORDS * (rays.first + spread_place(i, rays.stored, rays.count)); }
 
 /// Part of a node's rays that its guider drew.
 float guided_share(uint node) { return share_of(load_share(node), settings.first_share); }
@@ -50,13 +50,11 @@ float guided_share(uint node) { return share_of(load_share(node), settings.first
 /// How well the BRDF and the guider drew a node's rays, of which there are `rays` > 0.
 void learn_share(uint node, uint rays) {
     vec2 sums = vec2(0.0); // of the BRDF, of the guider
-    for (uint child = 0u; child < 8u; ++child) {
-        const LeafRays own = leaf_rays(node, child, rays);
-        for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
-            const uint word = ray_samples[ray_word(own, i) + 1u];
-            const float part = unpack_sum(word, 1u);
-            sums += unpack_sum(word, 0u) * vec2(1.0 - part, part);
-        }
+    const NodeRays own = rays_of(node, rays);
+    for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
+        const uint word = ray_samples[ray_word(own, i) + 1u];
+        const float part = unpack_sum(word, 1u);
+        sums += unpack_sum(word, 0u) * vec2(1.0 - part, part);
     }
     sums = min(group_sum(vec4(sums, 0.0, 0.0)).xy, EXPLORE_LARGEST_SUM);
     if (gl_LocalInvocationID.x != 0u) return;
@@ -69,11 +67,7 @@ void learn_share(uint node, uint rays) {
 
 void main() {
     const uint node = lists[guide_entry(gl_WorkGroupID.x)];
-    uint rays = 0u;
-    for (uint child = 0u; child < 8u; ++child) {
-        const uint leaf = octree_leaf(node, child);
-        if (octree_is_leaf(old_nodes[node], child)) rays += stored_rays(leaf) + blank_rays(leaf);
-    }
+    const uint rays = stored_rays(node) + old_node_rays(node).y;
     if (rays == 0u) return;
     guide_learn(node, rays);
     if (settings.adapt_share != 0u) learn_share(node, rays);

@@ -49,14 +49,12 @@ bool guide_border(Guide guide, vec2 uv, float edge) { return false; }
 /// Directions weigh by what they contribute to the square of the estimate.
 void guide_learn(uint node, uint rays) {
     vec4 sums = vec4(0.0);
-    for (uint child = 0u; child < 8u; ++child) {
-        const LeafRays own = leaf_rays(node, child, rays);
-        for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
-            const uint ray = ray_samples[ray_word(own, i)];
-            const float contribution = ray_sample_contribution(ray);
-            const vec2 uv = (vec2(ray_sample_grid(ray)) + 0.5) / float(1u << CDQ_MAX_DEPTH);
-            sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);
-        }
+    const NodeRays own = rays_of(node, rays);
+    for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
+        const uint ray = ray_samples[ray_word(own, i)];
+        const float contribution = ray_sample_contribution(ray);
+        const vec2 uv = (vec2(ray_sample_grid(ray)) + 0.5) / float(1u << CDQ_MAX_DEPTH);
+        sums += contribution * contribution * vec4(octahedral_decode(uv), 1.0);
     }
     sums = group_sum(sums);
     if (gl_LocalInvocationID.x != 0u) return;

@@ -58,20 +58,21 @@ void store_light_sample(uint leaf, uint light_sample) {
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
 void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u); }
 
-/// Counts a ray that brought nothing.
-void count_blank_ray(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_BLANK, leaf)], 1u); }
+uint node_word(NodeArray array, uint node) { return node_array_word(array, node, guiding.node_capacity); }
 
-/// Stores a ray sample, if the leaf has room; counts it in any case.
+/// Counts a ray that brought nothing.
+void count_blank_ray(uint leaf) { atomicAdd(leaves[node_word(NODE_RAYS, octree_node_of(leaf)) + 1u], 1u); }
+
+/// Stores a ray sample, if the leaf's node has room; counts it in any case.
 void store_ray_sample(uint leaf, uvec2 ray_sample) {
-    const uint number = atomicAdd(leaves[leaf_word(LEAF_RAYS, leaf)], 1u);
-    const uint storage = leaf_word(LEAF_STORAGE, leaf);
+    const uint node = octree_node_of(leaf);
+    const uint number = atomicAdd(leaves[node_word(NODE_RAYS, node)], 1u);
+    const uint storage = node_word(NODE_RAY_STORAGE, node);
     if (number >= load_word(leaf_words, storage + 1u)) return;
     const uint first = RAY_SAMPLE_WORDS * (load_word(leaf_words, storage) + number);
     ray_samples[first] = ray_sample.x;
     ray_samples[first + 1u] = ray_sample.y;
 }
-
-uint node_word(NodeArray array, uint node) { return node_array_word(array, node, guiding.node_capacity); }
 
 ShareMemory load_share(uint node) {
     const uint first = node_word(NODE_SHARE, node);

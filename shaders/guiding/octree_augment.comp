@@ -66,6 +66,29 @@ void zero(LeafArray array, uint leaf) {
     for (uint word = 0u; word < array.words; ++word) new_leaves[leaf_word(array, leaf) + word] = 0u;
 }
 
+void store(uint first, uvec2 words) {
+    new_leaves[first] = words.x;
+    new_leaves[first + 1u] = words.y;
+}
+
+/// First sample and room; sums of floats may overshoot the capacity by a few.
+uvec2 storage_of(uint first, uint room, uint capacity) { return uvec2(min(first, capacity), min(room, capacity - min(first, capacity))); }
+
+/// What a new node's guider knows, and room for its rays.
+void make_guide(uint node) {
+    const uint marked = plan[plan_source(node)];
+    const bool split = (marked & SOURCE_SPLIT) != 0u;
+    const uint source = split ? octree_node_of(marked & ~SOURCE_SPLIT) : marked;
+    carry(NODE_GUIDE, node, source);
+    carry(guide_memory(settings.memory_words), node, source);
+    const ShareMemory share = load_share(source);
+    store(node_word(NODE_SHARE, node), share_pack(split ? share_of_part(share) : share));
+    store(node_word(NODE_RAYS, node), uvec2(0u));
+    const uint rays = old_node_rays(source).x;
+    const uint room = room_for(split ? demand_of_part(rays) : rays, work.ray_demand, header.ray_capacity, new_node_count);
+    store(node_word(NODE_RAY_STORAGE, node), storage_of(atomicAdd(work.ray_used, room), room, header.ray_capacity));
+}
+
 // By the table's last column; visible lights are 0 until samples are deduplicated.
 #define LEAF_MADE(array)
 #define LEAF_ZEROED(array) zero(array, leaf);
@@ -78,19 +101,12 @@ void main() {
     const bool is_leaf = node < new_node_count && octree_is_leaf(new_nodes[node], child);
     const uint leaf = octree_leaf(node, child);
 
-    // Divide the room for samples: what the leaves expect with a quarter to spare, as far as three quarters of the
-    // buffer go; the rest evenly, for surfaces that come into view.
     uint room = 0u;
     uint marked_source = NONE;
     if (is_leaf) {
         uint demand;
         marked_source = find_source(node, child, demand);
-        const float wanted = 1.25 * float(work.demand);
-        const float divisible = 0.75 * float(header.sample_capacity);
-        const float share = wanted > divisible ? divisible / wanted : 1.0;
-        const uint leaves = 7u * new_node_count + 1u;
-        const uint rest = header.sample_capacity - uint(min(wanted, divisible));
-        room = uint(1.25 * share * float(demand)) + rest / leaves;
+        room = room_for(demand, work.demand, header.sample_capacity, 7u * new_node_count + 1u);
     }
     if (gl_LocalInvocationID.x == 0u) group_room = 0u;
     barrier();
@@ -98,21 +114,11 @@ void main() {
     barrier();
     if (gl_LocalInvocationID.x == 0u) group_first = atomicAdd(work.sample_used, group_room);
     barrier();
-    if (settings.guided != 0u && node < new_node_count && child == 0u) {
-        const uint marked = plan[plan_source(node)];
-        const uint source = (marked & SOURCE_SPLIT) != 0u ? octree_node_of(marked & ~SOURCE_SPLIT) : marked;
-        carry(NODE_GUIDE, node, source);
-        const ShareMemory share = load_share(source);
-        const uvec2 words = share_pack((marked & SOURCE_SPLIT) != 0u ? share_of_part(share) : share);
-        for (uint word = 0u; word < NODE_SHARE.words; ++word) new_leaves[node_word(NODE_SHARE, node) + word] = words[word];
-        carry(guide_memory(settings.memory_words), node, source);
-    }
+    if (settings.guided != 0u && node < new_node_count && child == 0u) make_guide(node);
     if (!is_leaf) return;
 
-    const uint first = min(group_first + before, header.sample_capacity);
     const uint storage = leaf_word(LEAF_STORAGE, leaf);
-    new_leaves[storage] = first;
-    new_leaves[storage + 1u] = min(room, header.sample_capacity - first); // sums of floats may overshoot by a few
+    store(storage, storage_of(group_first + before, room, header.sample_capacity));
 
     const uint source = marked_source & ~SOURCE_SPLIT;
     LEAF_ARRAY_TABLE(FILL_ARRAY)

@@ -18,7 +18,6 @@ void main() {
     uint marks = 0u;
     uint sum = 0u;
     uint demand = 0u;
-    bool rays = false;
     for (uint child = 0u; child < 8u; ++child) {
         if (!octree_is_leaf(node, child)) continue;
         const uint leaf = octree_leaf(index, child);
@@ -27,7 +26,6 @@ void main() {
         const bool splits = count > settings.split && depth + 1u < OCTREE_MAX_DEPTH;
         if (splits) marks |= 1u << child;
         demand += splits ? 8u * demand_of_part(count) : count;
-        rays = rays || stored_rays(leaf) + blank_rays(leaf) > 0u;
         // List it for the caches.
         if (count > 0u) {
             lists[deduplicate_entry(atomicAdd(work.deduplicate_groups.x, 1u))] = leaf;
@@ -36,15 +34,26 @@ void main() {
         }
         if (count > 0u || old_leaves[leaf_word(LEAF_VLC, leaf) + 1u] > 0u) lists[merge_entry(atomicAdd(work.merge_groups.x, 1u))] = leaf;
     }
-    if (rays) lists[guide_entry(atomicAdd(work.guide_groups.x, 1u))] = index;
+    uint rays = 0u;
+    if (settings.guided != 0u) {
+        const uvec2 own = old_node_rays(index);
+        if (own.x + own.y > 0u) lists[guide_entry(atomicAdd(work.guide_groups.x, 1u))] = index;
+        rays = own.x;
+        if (rays > 0u) atomicAdd(work.rays, rays);
+        const uint room = old_leaves[node_word(NODE_RAY_STORAGE, index) + 1u];
+        if (rays > room) atomicAdd(work.rays_dropped, rays - room);
+    }
+    uint ray_demand = rays + uint(bitCount(marks)) * demand_of_part(rays);
     if (index > 0u && (node & MARK_SPLITS) == OCTREE_ALL_LEAVES && sum < settings.collapse) {
         marks = MARK_COLLAPSES;
         demand = sum;
+        ray_demand = 0u;
         atomicAdd(work.collapses, 1u);
     }
     if (sum > 0u) {
         atomicAdd(work.samples, sum);
         atomicAdd(work.demand, demand);
     }
+    if (ray_demand > 0u) atomicAdd(work.ray_demand, ray_demand);
     plan[plan_marks(index)] = marks;
 }

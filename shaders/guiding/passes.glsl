@@ -47,15 +47,16 @@ uint guide_entry(uint i) { return 2u * leaf_capacity() + i; }
 
 uint node_word(NodeArray array, uint node) { return node_array_word(array, node, header.node_capacity); }
 
-/// Rays that an old leaf has stored.
-uint stored_rays(uint leaf) { return min(old_leaves[leaf_word(LEAF_RAYS, leaf)], old_leaves[leaf_word(LEAF_STORAGE, leaf) + 1u]); }
-
 ShareMemory load_share(uint node) {
     const uint words = node_word(NODE_SHARE, node);
     return share_unpack(uvec2(old_leaves[words], old_leaves[words + 1u]));
 }
 
-uint blank_rays(uint leaf) { return old_leaves[leaf_word(LEAF_BLANK, leaf)]; }
+/// Rays of an old node's leaves: those that brought something, stored or not, and the others.
+uvec2 old_node_rays(uint node) {
+    const uint words = node_word(NODE_RAYS, node);
+    return uvec2(old_leaves[words], old_leaves[words + 1u]);
+}
 
 uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)]; }
 
@@ -75,5 +76,14 @@ uint plan_source(uint new_node) { return 3u * header.node_capacity + new_node; }
 /// How many samples one of the eight parts of a leaf that is split is to expect: surfaces cross half of them. What its storage is
 /// made for.
 uint demand_of_part(uint count) { return (count + 3u) / 4u; }
+
+/// Divides the room for `capacity` samples among `owners`: each gets what it expects with a quarter to spare, as far as three quarters of the
+/// room go; the rest evenly, for surfaces that come into view. `all` is what all owners expect together.
+uint room_for(uint demand, uint all, uint capacity, uint owners) {
+    const float wanted = 1.25 * float(all);
+    const float divisible = 0.75 * float(capacity);
+    const float share = wanted > divisible ? divisible / wanted : 1.0;
+    return uint(1.25 * share * float(demand)) + (capacity - uint(min(wanted, divisible))) / owners;
+}
 
 #endif

@@ -138,11 +138,11 @@ void main() {
     find_lists(leaf);
     barrier();
 
-    // Join the lists. Every leaf that makes a cache may fill an equal part of the buffer: it never runs out. Lights seen last frame come
-    // first: older ones are kept only where there is room for all.
+    // Join the lists. Every leaf that makes a cache may fill an equal part of the largest buffer that there may be. Lights seen last frame
+    // come first: older ones are kept only where there is room for all.
     uint total = 0u;
     for (uint list = 0u; list < LISTS; ++list) total += list_length[list];
-    const uint quota = header.vlc_capacity / (vlc_cache_words(1u, settings.bucket) * work.merge_groups.x);
+    const uint quota = header.vlc_most / (vlc_cache_words(1u, settings.bucket) * work.merge_groups.x);
     const uint most_buckets = min(table_most_buckets(), power_of_two_below(max(quota, 1u)));
     const bool keep = 3u * (total + lights_before) <= 2u * most_buckets * settings.bucket;
     const uint table_buckets = min(table_bucket_count(keep ? total + lights_before : total), most_buckets);
@@ -163,19 +163,24 @@ void main() {
     uint buckets = lights > 0u ? table_buckets : 0u;
     while (buckets > 1u && (too_full & (buckets / 2u)) == 0u) buckets /= 2u;
 
-    // Write the cache.
+    // Write the cache, if there is room. If not, there is none until the host has made more.
+    const uint words = vlc_cache_words(buckets, settings.bucket);
     if (lane == 0u) {
-        cache_first = atomicAdd(work.vlc_used, vlc_cache_words(buckets, settings.bucket));
+        cache_first = atomicAdd(work.vlc_used, words);
+        const bool fits = cache_first + words <= header.vlc_capacity;
+        const uint made = fits ? buckets : 0u;
+        const uint held = fits ? lights : 0u;
         old_leaves[cache] = cache_first;
-        old_leaves[cache + 1u] = buckets;
-        old_leaves[leaf_word(LEAF_CACHED, leaf)] = lights;
-        if (buckets > 0u) atomicAdd(work.cached_leaves, 1u);
-        atomicAdd(work.cached_lights, lights);
-        atomicAdd(work.cached_buckets, buckets);
-        atomicMax(work.most_lights, lights);
+        old_leaves[cache + 1u] = made;
+        old_leaves[leaf_word(LEAF_CACHED, leaf)] = held;
+        if (made > 0u) atomicAdd(work.cached_leaves, 1u);
+        if (made < buckets) atomicAdd(work.caches_refused, 1u);
+        atomicAdd(work.cached_lights, held);
+        atomicAdd(work.cached_buckets, made);
+        atomicMax(work.most_lights, held);
     }
     barrier();
-    if (buckets == 0u) return;
+    if (buckets == 0u || cache_first + words > header.vlc_capacity) return;
     for (uint slot = lane; slot < buckets * settings.bucket; slot += LANES) vlc_lights[cache_first + slot] = NONE;
     memoryBarrierBuffer();
     barrier();

@@ -17,7 +17,9 @@ struct GuidingHeader {
     float scale;          // smallest cells per map unit
     uint node_capacity;   // inner nodes that a tree may have
     uint sample_capacity; // light samples that fit
-    uint vlc_capacity;    // light ids that fit in all caches
+    uint ray_capacity;    // ray samples that fit
+    uint vlc_capacity;    // words of all caches that there is room for
+    uint vlc_most;        // to which that may grow
 };
 
 /// Arrays by leaf, one after another in one buffer of words (structure of arrays).
@@ -42,9 +44,7 @@ struct LeafArray {
     ROW(LEAF_NEIGHBOURS, 6u, LEAF_VISIBLE, NONE, LEAF_MADE) /* leaf beyond the faces -x +x -y +y -z +z, or NONE */ \
     ROW(LEAF_SOURCE, 1u, LEAF_NEIGHBOURS, 0u, LEAF_MADE) /* its source; SOURCE_SPLIT: it is a part of that */ \
     ROW(LEAF_CACHED, 1u, LEAF_SOURCE, 0u, LEAF_CARRIED) /* lights in the cache */ \
-    ROW(LEAF_RAYS, 1u, LEAF_CACHED, 0u, LEAF_ZEROED) /* ray samples that fell into the leaf */ \
-    ROW(LEAF_BLANK, 1u, LEAF_RAYS, 0u, LEAF_ZEROED) /* rays that brought nothing, which store none */ \
-    ROW(LEAF_EXPLORE, 2u, LEAF_BLANK, 0u, LEAF_CARRIED) /* ExploreMemory */
+    ROW(LEAF_EXPLORE, 2u, LEAF_CACHED, 0u, LEAF_CARRIED) /* ExploreMemory */
 // clang-format on
 SHADER_CONST LeafArray LEAF_BEGIN = LeafArray(0u, 0u);
 #define LEAF_CONSTANT(name, width, before, value, new_leaf) SHADER_CONST LeafArray name = LeafArray(before.first + before.words, width);
@@ -54,7 +54,7 @@ LEAF_ARRAY_TABLE(LEAF_CONSTANT)
 SHADER_CONST uint LEAF_WORDS = LEAF_EXPLORE.first + LEAF_EXPLORE.words;
 
 /// Arrays by inner node, after those by leaf: what a guider keeps for the leaves of a node together. One of them alone has
-/// too few rays. A new node has what its source has: the old node that it was, or that held the leaf.
+/// too few rays. A new node has what its source has, the old node that it was, or that held the leaf; but no rays yet.
 struct NodeArray {
     uint first; // the array begins at word first * number of nodes after the leaves
     uint words; // of a node
@@ -62,10 +62,12 @@ struct NodeArray {
     constexpr NodeArray(uint from, uint width) : first(from), words(width) {}
 #endif
 };
-SHADER_CONST NodeArray NODE_GUIDE = NodeArray(0u, 4u); // what rays are drawn by: the guider's business
-SHADER_CONST NodeArray NODE_SHARE = NodeArray(4u, 2u); // ShareMemory
+SHADER_CONST NodeArray NODE_GUIDE = NodeArray(0u, 4u);       // what rays are drawn by: the guider's business
+SHADER_CONST NodeArray NODE_SHARE = NodeArray(4u, 2u);       // ShareMemory
+SHADER_CONST NodeArray NODE_RAYS = NodeArray(6u, 2u);        // rays of its leaves: those that brought something, and the others
+SHADER_CONST NodeArray NODE_RAY_STORAGE = NodeArray(8u, 2u); // first ray sample, room for how many
 /// Words of a node, but for what the guider remembers beyond them.
-SHADER_CONST uint NODE_WORDS = 6u;
+SHADER_CONST uint NODE_WORDS = 10u;
 SHADER_FN NodeArray guide_memory(uint words) { return NodeArray(NODE_WORDS, words); }
 
 /// With the number of an old leaf, where a new node or leaf comes from: the old leaf was split.
@@ -375,20 +377,25 @@ struct GuidingWork {
     uvec3 merge_groups;
     uvec3 guide_groups;
     uvec3 augment_groups;
-    uint vlc_used;    // light ids taken from the caches' buffer
+    uint vlc_used;    // words that caches ask for
     uint sample_used; // light samples' room given to leaves
     uint demand;      // samples that the new leaves are expected to receive together
+    uint ray_used;    // the same of rays and nodes
+    uint ray_demand;
     // Statistics of the frame that was rendered last, and of the trees made from it.
     uint nodes;          // inner nodes
     uint depth;          // of the deepest leaf
     uint samples;        // surface samples
     uint dropped;        // of them: light samples without room
+    uint rays;           // that brought something
+    uint rays_dropped;   // of them: without room
     uint sampled_leaves; // leaves with samples
     uint cached_leaves;  // leaves with a cache of at least one light
     uint cached_lights;  // their lights together
     uint cached_buckets;
     uint most_lights;     // in one cache
     uint lights_left_out; // found by samples, but the table was full
+    uint caches_refused;  // leaves that should have a cache, which had no room
     uint splits;
     uint collapses;
     uint cdq_migrations;

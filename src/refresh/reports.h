@@ -44,8 +44,9 @@ struct OctreeLeaf {
     glm::vec3 corner{0.0f};     ///< lowest corner of its cube, map units
     float size = 0.0f;          ///< edge of its cube, map units
     uint32_t samples = 0;       ///< surface samples
-    uint32_t room = 0;          ///< light samples that fit, and as many ray samples
-    uint32_t rays = 0;          ///< that brought light
+    uint32_t room = 0;          ///< light samples that fit
+    uint32_t rays = 0;          ///< of all leaves of its node: those that brought light
+    uint32_t ray_room = 0;      ///< ray samples of these leaves that fit
     float explore_share = 0.0f; ///< of light samples that its finds ask to search lists; 0 .. 0.9
     uint32_t source = none;     ///< leaf of the tree before, from which its cache came
     std::array<uint32_t, 6> neighbours{}; ///< beyond -x +x -y +y -z +z; none outside the root
@@ -85,6 +86,13 @@ struct GuidingReport {
         std::string name;
         uint64_t amount = 0;
     };
+    /// Of what a buffer holds.
+    struct Room {
+        std::string name;
+        uint64_t need = 0;  ///< in the last frame
+        uint64_t worst = 0; ///< the most since the buffer was made
+        uint64_t room = 0;  ///< how many fit
+    };
 
     Technique technique = Technique::sll; ///< that the frame used
     bool on = false;                      ///< the octree was kept; else the rest is empty
@@ -93,7 +101,7 @@ struct GuidingReport {
     uint32_t caches = 0;                  ///< leaves with lights
     std::vector<Amount> memory;           ///< bytes on the device, by what they hold
     uint64_t bytes = 0;                   ///< all of them
-    std::vector<Amount> room;             ///< how many of what fit in
+    std::vector<Room> rooms;
 
     /// The surface under the crosshair; empty where light can fall on nothing (sky, or the inside
     /// of a wall). The rest is about it.

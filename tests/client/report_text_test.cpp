@@ -73,12 +73,15 @@ TEST(ReportText, Guiding) {
     guiding.on = true;
     guiding.memory = {{"octree nodes, twice", 1 << 20}, {"light samples", 4 << 20}};
     guiding.bytes = 5 << 20;
-    guiding.room = {{"inner nodes", 100}, {"light samples", 200}};
-    EXPECT_EQ(guiding_text(guiding), "guiding memory, bytes\n"
-                                     "  octree nodes, twice         1048576      1.00 MiB\n"
-                                     "  light samples               4194304      4.00 MiB\n"
-                                     "  all                         5242880      5.00 MiB\n"
-                                     "  room for 100 inner nodes, 200 light samples");
+    guiding.rooms = {{"inner nodes", 40, 50, 100}, {"light samples", 150, 160, 200}};
+    EXPECT_EQ(guiding_text(guiding),
+              "guiding memory, bytes\n"
+              "  octree nodes, twice         1048576      1.00 MiB\n"
+              "  light samples               4194304      4.00 MiB\n"
+              "  all                         5242880      5.00 MiB\n"
+              "                               in use   at most yet      room for\n"
+              "  inner nodes                      40            50           100\n"
+              "  light samples                   150           160           200");
 }
 
 GuidingReport crosshair() {
@@ -93,6 +96,7 @@ GuidingReport crosshair() {
     report.leaf.samples = 50;
     report.leaf.room = 40;
     report.leaf.rays = 7;
+    report.leaf.ray_room = 60;
     report.leaf.explore_share = 0.25f;
     report.leaf.neighbours = {1, 2, 3, 4, 5, refresh::OctreeLeaf::none};
     report.earlier = report.leaf;
@@ -152,7 +156,7 @@ TEST(ReportText, Quadtree) {
     GuidingReport report = crosshair();
     EXPECT_EQ(quadtree_text(report),
               std::string(leaf_lines) +
-                  "  rays            7 in this frame, room for 40\n"
+                  "  rays            7 of its node's in this frame, room for 60\n"
                   "  guided rays     30 % of all from here\n"
                   "  quadtree        64 bits, 2 leaves, the smallest at level 5\n"
                   "  density         0.25 to 4 per steradian\n"

@@ -40,10 +40,9 @@ std::vector<StoredRay> taken_rays(const QuadtreeLessons& lessons) {
     while (lessons.rays() > one_in * shader::GUIDE_MOST_RAYS)
         ++one_in;
     std::vector<StoredRay> taken;
-    for (const std::vector<StoredRay>& rays : lessons.leaves)
-        for (const size_t place :
-             sample_places(rays.size(), static_cast<uint32_t>(rays.size() / one_in)))
-            taken.push_back(rays[place]);
+    const size_t stored = lessons.stored.size();
+    for (const size_t place : sample_places(stored, static_cast<uint32_t>(stored / one_in)))
+        taken.push_back(lessons.stored[place]);
     return taken;
 }
 
@@ -200,10 +199,7 @@ double error_of(size_t count) {
 } // namespace
 
 size_t QuadtreeLessons::rays() const {
-    size_t sum = blank;
-    for (const std::vector<StoredRay>& stored : leaves)
-        sum += stored.size();
-    return sum;
+    return blank + stored.size();
 }
 
 std::vector<Path> nodes_of(const Squares& inner) {

@@ -46,8 +46,8 @@ struct StoredRay {
 
 /// What a quadtree is adapted to.
 struct QuadtreeLessons {
-    /// Ray samples of a node's leaves; of more than GUIDE_MOST_RAYS the pass takes some.
-    std::vector<std::vector<StoredRay>> leaves;
+    /// Ray samples of a node; of more than GUIDE_MOST_RAYS the pass takes some.
+    std::vector<StoredRay> stored;
     Sums remembered;    // empty: nothing
     uint32_t blank = 0; // further rays, which brought nothing
 

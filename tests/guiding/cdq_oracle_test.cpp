@@ -26,12 +26,10 @@ uint32_t ray_into(const Path& square, float contribution) {
     return shader::ray_sample_pack(cell + size / 2, contribution);
 }
 
-/// Of one leaf.
 QuadtreeLessons lessons_of(const std::vector<uint32_t>& rays) {
     QuadtreeLessons lessons;
-    lessons.leaves.emplace_back();
     for (const uint32_t ray : rays)
-        lessons.leaves.front().push_back({ray, 0});
+        lessons.stored.push_back({ray, 0});
     return lessons;
 }
 

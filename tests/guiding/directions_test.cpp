@@ -17,7 +17,7 @@ protected:
     void random_rays_frame(Dice& dice, uint32_t nodes, const RandomRays& rays, uint32_t bits) {
         state_ =
             random_samples(dice, random_tree(dice, nodes, 0.3), {}, settings_, guiding().header());
-        add_random_rays(dice, rays, bits, state_);
+        add_random_rays(dice, rays, bits, guiding().header().ray_capacity, state_);
         rays_frame();
     }
 
@@ -25,11 +25,10 @@ protected:
         const TreeState before = state_;
         frame();
         if (HasFatalFailure()) return;
-        for (const auto& [path, leaf] : before.leaves)
-            dropped_ += leaf.rays > leaf.room ? 1u : 0u;
         for (const auto& [path, node] : before.nodes) {
+            dropped_ += node.rays > node.room ? 1u : 0u;
             const AdaptedQuadtrees& adapted = quadtrees_.at(path);
-            const size_t rays = before.lessons_of(path).rays();
+            const size_t rays = before.lessons_of(node).rays();
             if (rays == 0) {
                 ++unlit_;
                 continue;
@@ -46,6 +45,12 @@ protected:
         }
     }
 
+    /// As many samples in each leaf as are between the thresholds: the octree stays as it is.
+    void rest() {
+        for (auto& [path, leaf] : state_.leaves)
+            leaf.count = 30;
+    }
+
     static shader::GuidingSettings settings_for(uint32_t migrations, float margin) {
         shader::GuidingSettings settings = settings_with(16);
         settings.migrations = migrations;
@@ -53,8 +58,8 @@ protected:
         return settings;
     }
 
-    uint32_t dropped_ = 0; // leaves with more rays than they stored
     // Nodes that ...
+    uint32_t dropped_ = 0;   // had more rays than they stored
     uint32_t unlit_ = 0;     // were not looked at
     uint32_t single_ = 0;    // had one ray,
     uint32_t many_ = 0;      // thousands
@@ -75,9 +80,9 @@ TEST_P(DirectionsOfSize, RandomRays) {
             for (const Brought brought : {Brought::Anything, Brought::Powers}) {
                 SCOPED_TRACE(testing::Message() << migrations << " migrations, margin " << margin
                                                 << (brought == Brought::Powers ? ", powers" : ""));
-                start(settings_for(migrations, margin), 64, bits);
+                start(settings_for(migrations, margin), 96, bits);
                 Dice dice(bits + migrations + static_cast<uint32_t>(100 * margin));
-                random_rays_frame(dice, 80, {brought, 60, 2 * bits}, bits);
+                random_rays_frame(dice, 80, {brought, 160, 2 * bits}, bits);
                 if (HasFatalFailure()) return;
             }
     for (const uint32_t leaves : {unlit_, single_, dropped_, exact_, tied_, moved_, stayed_})
@@ -91,9 +96,9 @@ TEST_P(DirectionsOfSize, BesideRaysOfTheBrdf) {
     shader::GuidingSettings settings = settings_for(4, 0.25f);
     settings.first_share = 0.5f;
     EXPECT_EQ(shader::cdq_even_density(bits, 0.5f), 1.5f * static_cast<float>(bits) + 2.0f);
-    start(settings, 64, bits);
+    start(settings, 96, bits);
     Dice dice(bits + 5);
-    random_rays_frame(dice, 80, {Brought::Anything, 60, 2 * bits}, bits);
+    random_rays_frame(dice, 80, {Brought::Anything, 160, 2 * bits}, bits);
     EXPECT_GT(moved_, 20u);
 }
 
@@ -105,7 +110,7 @@ TEST_P(DirectionsOfSize, ThousandsOfRays) {
         settings.collapse = 2000;
         start(settings, 256, bits);
         Dice dice(bits + 7);
-        random_rays_frame(dice, 30, {brought, 3000, bits}, bits);
+        random_rays_frame(dice, 30, {brought, 8000, bits}, bits);
         if (HasFatalFailure()) return;
     }
     EXPECT_GE(many_, 8u);
@@ -114,9 +119,9 @@ TEST_P(DirectionsOfSize, ThousandsOfRays) {
 
 TEST_P(DirectionsOfSize, AsManyMigrationsAsThereCanBe) {
     const uint32_t bits = GetParam();
-    start(settings_for(16, 1.0f), 64, bits);
+    start(settings_for(16, 1.0f), 96, bits);
     Dice dice(bits + 8);
-    random_rays_frame(dice, 60, {Brought::Powers, 20, 4 * bits}, bits);
+    random_rays_frame(dice, 60, {Brought::Powers, 160, 4 * bits}, bits);
     if (HasFatalFailure()) return;
     EXPECT_GT(statistics_.cdq_migrations, 200u);
 }
@@ -130,9 +135,9 @@ TEST_P(DirectionsOfSize, WithMemory) {
             shader::GuidingSettings settings = settings_for(migrations, 0.25f);
             settings.first_share = 0.5f;
             settings.memory_rays = memory;
-            start(settings, 64, bits);
+            start(settings, 96, bits);
             Dice dice(bits + memory + migrations);
-            random_rays_frame(dice, 80, {Brought::Anything, 60, 2 * bits, true}, bits);
+            random_rays_frame(dice, 80, {Brought::Anything, 160, 2 * bits, true}, bits);
             if (HasFatalFailure()) return;
         }
     EXPECT_GT(moved_, 100u);
@@ -143,14 +148,14 @@ TEST_P(DirectionsOfSize, RememberFromFrameToFrame) {
     const uint32_t bits = GetParam();
     shader::GuidingSettings settings = settings_for(1, 0.25f);
     settings.memory_rays = 500;
-    start(settings, 64, bits);
+    start(settings, 96, bits);
     Dice dice(bits + 9);
     for (int i = 0; i < 40; ++i) {
-        for (auto& [path, leaf] : state_.leaves) {
-            leaf.count = 30; // between the thresholds: the octree rests
-            leaf.rays = std::min(leaf.room, 20u);
-            for (uint32_t ray = 0; ray < leaf.rays; ++ray)
-                state_.ray(leaf, ray)[0] = shader::ray_sample_pack(random_cell(dice, {0.3f, 0.6f}),
+        rest();
+        for (auto& [path, node] : state_.nodes) {
+            node.rays = std::min(node.room, 160u);
+            for (uint32_t ray = 0; ray < node.rays; ++ray)
+                state_.ray(node, ray)[0] = shader::ray_sample_pack(random_cell(dice, {0.3f, 0.6f}),
                                                                    dice.between(0.5f, 2.0f));
         }
         rays_frame();
@@ -168,18 +173,18 @@ TEST_P(DirectionsOfSize, AllEnergyInOneRayAndNoneAtAll) {
         SCOPED_TRACE(testing::Message() << memory << " rays remembered");
         shader::GuidingSettings settings = settings_for(4, 0.25f);
         settings.memory_rays = memory;
-        start(settings, 64, bits);
+        start(settings, 96, bits);
         deepest_ = 0;
         for (int i = 0; i < 18; ++i) {
-            for (auto& [path, leaf] : state_.leaves) {
-                leaf.count = 30; // between the thresholds: the octree rests
-                leaf.rays = i < 12 ? std::min(leaf.room, 20u) : 0u;
-                for (uint32_t ray = 0; ray < leaf.rays; ++ray) {
+            rest();
+            for (auto& [path, node] : state_.nodes) {
+                node.rays = i < 12 ? std::min(node.room, 20u) : 0u;
+                for (uint32_t ray = 0; ray < node.rays; ++ray) {
                     const glm::uvec2 cell =
                         ray == 0 ? glm::uvec2(1000, 3000) : glm::uvec2(200 * ray, 4095 - 100 * ray);
                     const float most = i >= 8 ? std::exp2(31.0f) : 3e38f;
                     const float brought = ray == 0 || i >= 8 ? most : 0.0f;
-                    state_.ray(leaf, ray)[0] = shader::ray_sample_pack(cell, brought);
+                    state_.ray(node, ray)[0] = shader::ray_sample_pack(cell, brought);
                 }
             }
             rays_frame();
@@ -204,7 +209,7 @@ TEST_P(DirectionsOfSize, SharesFollowWhatRaysEstimated) {
         settings.first_share = first;
         settings.adapt_share = 1;
         settings.memory_rays = 500;
-        start(settings, 64, bits);
+        start(settings, 96, bits);
         Dice dice(bits + 10);
         for (int i = 0; i < 6; ++i) {
             for (auto& [path, leaf] : state_.leaves)
@@ -214,7 +219,8 @@ TEST_P(DirectionsOfSize, SharesFollowWhatRaysEstimated) {
             } else {
                 // Of new places: what the nodes know is kept.
                 const ByPath<NodeState> nodes = state_.nodes;
-                add_random_rays(dice, {Brought::Anything, 60, 2 * bits, true}, bits, state_);
+                add_random_rays(dice, {Brought::Anything, 160, 2 * bits, true}, bits,
+                                guiding().header().ray_capacity, state_);
                 for (const auto& [path, node] : nodes)
                     state_.nodes.at(path).shared = node.shared;
                 rays_frame();
@@ -233,10 +239,10 @@ TEST_P(DirectionsOfSize, SharesFollowWhatRaysEstimated) {
 INSTANTIATE_TEST_SUITE_P(Sizes, DirectionsOfSize, testing::Values(32u, 64u, 96u, 128u));
 
 TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
-    start(settings_for(1, 0.5f), 64, 64);
+    start(settings_for(1, 0.5f), 96, 64);
     Dice dice(31);
     for (int round = 0; round < 20; ++round) {
-        random_rays_frame(dice, 80, {Brought::Same, 12, 16}, 64);
+        random_rays_frame(dice, 80, {Brought::Same, 80, 16}, 64);
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(tied_, 100u);
@@ -246,35 +252,34 @@ TEST_F(Directions, TheLowestNumberDecidesBetweenEqualOnes) {
 TEST_F(Directions, WhatNobodyKeptIsNotRemembered) {
     shader::GuidingSettings settings = settings_for(4, 0.25f);
     settings.memory_rays = 0;
-    start(settings, 64, 128);
+    start(settings, 96, 128);
     Dice dice(7);
-    random_rays_frame(dice, 80, {Brought::Anything, 60, 256}, 128);
+    random_rays_frame(dice, 80, {Brought::Anything, 160, 256}, 128);
     if (HasFatalFailure()) return;
     ASSERT_GT(state_.inner.size(), 1u);
     settings.memory_rays = 512;
     start_anew(settings);
 }
 
-TEST_F(Directions, OneHugeLeafAmongEmptyOnes) {
-    // More than any leaf has once the octree has followed the surfaces: its first frames. Every ray
+TEST_F(Directions, OneHugeNodeAmongEmptyOnes) {
+    // More than any node has once the octree has followed the surfaces: its first frames. Every ray
     // takes as long as it can to find its leaf.
     const glm::vec2 target(0.37f, 0.91f);
     for (const uint32_t rays : {4095u, 4096u, 4097u, 8191u, 8192u, 20000u, 100000u}) {
         SCOPED_TRACE(testing::Message() << rays << " rays");
-        start(settings_for(16, 0.1f), 256, 128);
+        start(settings_for(16, 0.1f), 512, 128);
         Dice dice(rays);
         state_ = random_samples(dice, random_tree(dice, 3, 0.5), {}, settings_, guiding().header());
         for (auto& [path, leaf] : state_.leaves)
             leaf.count = leaf.room = 0;
-        const auto chosen = std::next(state_.leaves.begin(), dice.below(10));
-        LeafState& huge = chosen->second;
-        const Path node = chosen->first.substr(0, chosen->first.size() - 1);
-        huge.first_sample = 123;
-        huge.count = 1;
-        state_.samples[huge.first_sample] = shader::LIGHT_SAMPLE_NONE;
+        add_random_rays(dice, {Brought::Anything, 0, 0}, 128, guiding().header().ray_capacity,
+                        state_);
+        for (auto& [path, node] : state_.nodes)
+            node.rays = node.blank = 0;
+        NodeState& huge = std::next(state_.nodes.begin(), dice.below(3))->second;
+        huge.quadtree = quadtree_towards(128, target);
+        huge.first_ray = 123;
         huge.room = rays;
-        add_random_rays(dice, {Brought::Anything, rays, 0}, 128, state_);
-        state_.nodes.at(node).quadtree = quadtree_towards(128, target);
         huge.rays = rays + dice.below(100);
         const glm::uvec2 deepest(target * 4096.0f);
         for (uint32_t i = 0; i < rays; ++i)
@@ -286,21 +291,21 @@ TEST_F(Directions, OneHugeLeafAmongEmptyOnes) {
         if (HasFatalFailure()) return;
     }
     EXPECT_EQ(many_, 7u);
-    record("octree", "100,000 rays in one leaf, none elsewhere",
+    record("octree", "100,000 rays in one node, none elsewhere",
            "the quadtrees of the plain implementation");
 }
 
 TEST_F(Directions, QuadtreesFollowTheRays) {
     // All rays bring the same, so the squares end where most rays go: to the target of each leaf.
     for (const uint32_t bits : {32u, 128u}) {
-        start(settings_for(1, 0.1f), 64, bits);
+        start(settings_for(1, 0.1f), 96, bits);
         Dice dice(bits);
         for (int i = 0; i < 30; ++i) {
-            for (auto& [path, leaf] : state_.leaves) {
-                leaf.count = 30; // between the thresholds: the octree rests
-                leaf.rays = std::min(leaf.room, 40u);
-                for (uint32_t ray = 0; ray < leaf.rays; ++ray)
-                    state_.ray(leaf, ray)[0] =
+            rest();
+            for (auto& [path, node] : state_.nodes) {
+                node.rays = std::min(node.room, 320u);
+                for (uint32_t ray = 0; ray < node.rays; ++ray)
+                    state_.ray(node, ray)[0] =
                         shader::ray_sample_pack({1000 + dice.below(3), 3000 + dice.below(3)}, 1.0f);
             }
             rays_frame();

@@ -88,7 +88,7 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     settings_ = settings;
     const vkpt::GuideChoice guide =
         cdq_bits_ > 0 ? vkpt::GuideChoice{Guide::cdq, cdq_bits_} : vkpt::GuideChoice{};
-    guiding().prepare({glm::uvec2(picture_size_), settings, guide});
+    guiding().prepare({glm::uvec2(picture_size_), settings, guide, true, all_caches_});
 
     // The first frame starts from a tree that exists nowhere yet.
     frame_ = 0;
@@ -105,7 +105,7 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     if (cdq_bits_ > 0) {
         take_quadtrees(
             state_, seen, cdq_bits_, remember(),
-            std::vector<uint32_t>(shader::RAY_SAMPLE_WORDS * guiding().header().sample_capacity));
+            std::vector<uint32_t>(shader::RAY_SAMPLE_WORDS * guiding().header().ray_capacity));
         for (const auto& [path, node] : state_.nodes)
             EXPECT_EQ(field_of(node.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
     }
@@ -170,7 +170,7 @@ void GuidingTest::ask_oracle() {
         {settings_.split, settings_.collapse, header.node_capacity, shader::OCTREE_MAX_DEPTH});
     caches_ = make_caches(state_.inner, samples,
                           {settings_.bucket, settings_.small_bucket, settings_.merge_faces,
-                           header.vlc_capacity, settings_.weigh != 0, settings_.persist});
+                           header.vlc_most, settings_.weigh != 0, settings_.persist});
     if (cdq_bits_ == 0) return;
     quadtrees_.clear();
     shares_.clear();
@@ -178,7 +178,7 @@ void GuidingTest::ask_oracle() {
         const bool learns = settings_.adapt_share != 0;
         const float share = learns && node.shared.rays > 0.0 ? static_cast<float>(node.shared.share)
                                                              : settings_.first_share;
-        QuadtreeLessons lessons = state_.lessons_of(path);
+        QuadtreeLessons lessons = state_.lessons_of(node);
         QuadtreeLimits limits{settings_.migrations, settings_.margin,
                               shader::cdq_even_density(cdq_bits_, 1.0f - share)};
         if (lessons.rays() > 0) {
@@ -212,6 +212,7 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
         for (const Disagreements& found :
              {compare_quadtrees(state_, quadtrees_, cdq_bits_, remember(), seen_old, statistics_),
               compare_shares(state_, shares_, seen_old),
+              compare_ray_storage(tree_.inner, seen, header.ray_capacity),
               compare_guides_handed_on(tree_, seen, state_.inner, seen_old, remember())})
             ASSERT_TRUE(found.empty()) << found.text();
     }

@@ -38,6 +38,8 @@ protected:
 
     /// Writes state_ to the GPU's buffers.
     void upload();
+    /// Runs the passes on what is there, whatever they make.
+    void run_passes();
     /// Uploads, runs the passes, compares what they made with the oracle, and makes that the next
     /// frame's state_.
     void frame();
@@ -51,13 +53,13 @@ protected:
     ByPath<ShareState> shares_;        // the same for shares that are learned
     shader::GuidingWork statistics_{}; // seen in the last frame
     shader::GuidingSettings settings_{};
+    bool all_caches_ = true; // start() makes room for the largest caches
 
 private:
     /// Whether quadtrees keep sums from frame to frame.
     bool remember() const { return cdq_bits_ > 0 && settings_.memory_rays > 0; }
     /// What the oracle makes of state_: tree_ and caches_.
     void ask_oracle();
-    void run_passes();
     void compare_with(const vkpt::Guiding::Tree& old_tree);
 
     Dice garbage_{99};

@@ -304,6 +304,65 @@ TEST_F(GuidingTest, TheBufferOfCachesIsShared) {
     EXPECT_GT(statistics_.lights_left_out, 0u);
 }
 
+class RoomForCaches : public GuidingTest {
+protected:
+    /// Makes little room at first. Sizes differ from test to test: a size that stays keeps its
+    /// room.
+    void start_with_little(uint32_t picture_size) {
+        all_caches_ = false;
+        start(settings_with(2, 16), picture_size);
+        first_ = guiding().header().vlc_capacity;
+        EXPECT_LE(first_, guiding().header().vlc_most / 4);
+    }
+    /// Many lights in each leaf of a tree, and so few samples that none is split.
+    void see_many_lights(Dice& dice, uint32_t nodes) {
+        RandomLights lights;
+        lights.fewest = lights.most = 60;
+        lights.visible = 1.0;
+        state_ = random_samples(dice, random_tree(dice, nodes, 0.3), lights, settings_,
+                                guiding().header());
+        for (auto& [path, leaf] : state_.leaves)
+            leaf.count = std::min(leaf.count, 40u);
+    }
+    uint32_t first_ = 0; // words
+};
+
+TEST_F(RoomForCaches, GrowsAndKeepsThem) {
+    start_with_little(100);
+    Dice dice(23);
+    for (uint32_t nodes = 20; statistics_.vlc_used <= first_ / 8 * 7; nodes += 20) {
+        see_many_lights(dice, nodes);
+        frame();
+        if (HasFatalFailure()) return;
+        ASSERT_EQ(statistics_.caches_refused, 0u) << nodes << " nodes";
+    }
+    // The next frame has more room, and starts from the caches of this one.
+    const uint32_t asked = statistics_.vlc_used;
+    frame();
+    if (HasFatalFailure()) return;
+    EXPECT_EQ(guiding().worst().cache_words, asked);
+    EXPECT_GE(guiding().header().vlc_capacity, asked + asked / 2);
+    EXPECT_GT(statistics_.cached_lights, 1000u);
+    frame();
+}
+
+TEST_F(RoomForCaches, CachesWaitForIt) {
+    start_with_little(104);
+    Dice dice(24);
+    see_many_lights(dice, 600);
+    upload();
+    run_passes();
+    EXPECT_GT(statistics_.caches_refused, 0u);
+    EXPECT_GT(statistics_.cached_leaves, 0u);
+    const uint32_t asked = statistics_.vlc_used;
+    EXPECT_GT(asked, first_);
+    run_passes();
+    EXPECT_GE(guiding().header().vlc_capacity, asked + asked / 2);
+    see_many_lights(dice, 600);
+    frame();
+    EXPECT_EQ(statistics_.caches_refused, 0u);
+}
+
 /// Lights of all caches that no sample saw in the last frame.
 size_t aged_lights(const Caches& caches) {
     size_t aged = 0;

@@ -102,32 +102,34 @@ Squares random_quadtree(Dice& dice, uint32_t bits, uint32_t migrations) {
     return squares_of(tree);
 }
 
-void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeState& state) {
-    state.rays.resize(shader::RAY_SAMPLE_WORDS * state.samples.size());
+void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, uint32_t capacity,
+                     TreeState& state) {
+    state.rays.resize(size_t{shader::RAY_SAMPLE_WORDS} * capacity);
     for (uint32_t& ray : state.rays)
         ray = dice.word();
-    for (const Path& path : state.inner) {
+    // Ranges lie in any order in the buffer, with gaps; at its end there is room for nothing.
+    std::vector<Path> order(state.inner.begin(), state.inner.end());
+    dice.shuffle(order);
+    uint32_t used = 0;
+    for (const Path& path : order) {
         NodeState& node = state.nodes[path];
         node.quadtree = random_quadtree(dice, bits, rays.migrations);
         if (rays.remembered) node.remembered = random_sums(dice, node.quadtree);
-    }
-    Path node = "none";
-    uint32_t most = 0; // rays of this node's next leaf: some nodes have none at all, some have one
-    for (auto& [path, leaf] : state.leaves) {
-        if (const Path parent = path.substr(0, path.size() - 1); parent != node) {
-            node = parent;
-            most = dice.chance(0.25) ? 0 : dice.chance(0.25) ? 1 : UINT32_MAX;
-        }
-        const std::array<uint32_t, 6> likely{0,         1,         2 + dice.below(8),
-                                             leaf.room, rays.most, leaf.room + 1 + dice.below(40)};
-        leaf.rays = most == 1 ? 1 : std::min(likely[dice.below(likely.size())], most);
-        if (most == 1) most = 0;
-        if (most > 1 && dice.chance(0.5)) leaf.blank = dice.below(100);
+        const std::array<uint32_t, 6> likely{
+            0, 1, 2 + dice.below(8), rays.most / 8, dice.below(rays.most), rays.most};
+        node.rays = likely[dice.below(likely.size())];
+        node.blank = node.rays != 1 && dice.chance(0.5) ? dice.below(100) : 0;
+        const std::array<uint32_t, 4> rooms{node.rays, node.rays + dice.below(10), node.rays / 2,
+                                            0};
+        node.room = rooms[dice.chance(0.6) ? dice.below(2) : dice.below(4)];
+        node.first_ray = std::min(used + (dice.chance(0.1) ? dice.below(10) : 0), capacity);
+        node.room = std::min(node.room, capacity - node.first_ray);
+        used = node.first_ray + node.room;
         const glm::vec2 target(dice.between(0.0f, 1.0f), dice.between(0.0f, 1.0f));
-        for (uint32_t i = 0; i < leaf.kept_rays(); ++i) {
-            uint32_t* ray = state.ray(leaf, i);
+        for (uint32_t i = 0; i < node.kept(); ++i) {
+            uint32_t* ray = state.ray(node, i);
             ray[0] = shader::ray_sample_pack(random_cell(dice, target),
-                                             random_contribution(dice, rays.brought, leaf.rays));
+                                             random_contribution(dice, rays.brought, node.rays));
             const float square = dice.chance(0.2) ? 0.0f : std::exp2(dice.between(-20.0f, 20.0f));
             ray[1] = shader::pack_sums(square, dice.between(0.0f, 1.0f));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Random quadtrees and ray samples for the leaves of an octree: directions all over the map and in
-// its poles, corners and folds, contributions from nothing to more than can be stored, leaves
+// Random quadtrees and ray samples for the nodes of an octree: directions all over the map and in
+// its poles, corners and folds, contributions from nothing to more than can be stored, nodes
 // without rays, with one, with thousands, and with more than they have room for.
 #pragma once
 
@@ -17,7 +17,7 @@ enum class Brought {
 
 struct RandomRays {
     Brought brought = Brought::Anything;
-    uint32_t most = 60;      // rays of a leaf
+    uint32_t most = 500;     // rays of a node
     uint32_t migrations = 0; // of quadtrees before, at most: from the even tree to any tree
     bool remembered = false; // half of the nodes remember earlier rays
 };
@@ -32,8 +32,9 @@ Squares random_quadtree(Dice& dice, uint32_t bits, uint32_t migrations);
 /// One that is as deep as it can be at a point of the unit square.
 Squares quadtree_towards(uint32_t bits, glm::vec2 target);
 
-/// Gives every node a quadtree of `bits` bits, and most leaves rays, of which it stores as many as
-/// it has room for; fills the rest of the buffer of rays with garbage.
-void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, TreeState& state);
+/// Gives every node a quadtree of `bits` bits, most of them rays, and room for as many or for less,
+/// in a buffer for `capacity` rays; fills the rest of that with garbage.
+void add_random_rays(Dice& dice, const RandomRays& rays, uint32_t bits, uint32_t capacity,
+                     TreeState& state);
 
 } // namespace vigil::test

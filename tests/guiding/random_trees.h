@@ -27,17 +27,19 @@ struct LeafState {
     BucketDraws drawn;      // how its buckets are drawn; as stored
     bool inherited = false; // the cache is a larger leaf's
     Explored explored;      // as stored: what two bytes hold of each
-    uint32_t rays = 0;      // ray samples that fell into it; they share the room
-    uint32_t blank = 0;     // rays that brought nothing
     uint32_t kept() const { return std::min(count, room); }
-    uint32_t kept_rays() const { return std::min(rays, room); }
 };
 
-/// What an inner node's guider knows.
+/// What an inner node's guider knows, and the rays of its leaves.
 struct NodeState {
     Squares quadtree;
-    Sums remembered;   // of its leaves; empty where nothing is
-    ShareState shared; // as stored
+    Sums remembered;    // of its leaves; empty where nothing is
+    ShareState shared;  // as stored
+    uint32_t rays = 0;  // that brought something
+    uint32_t blank = 0; // that did not
+    uint32_t first_ray = 0;
+    uint32_t room = 0; // only so many of the rays are stored
+    uint32_t kept() const { return std::min(rays, room); }
 };
 
 /// A tree after a frame was rendered with it.
@@ -49,12 +51,12 @@ struct TreeState {
     std::vector<uint32_t> caches;  // the same for the lights of caches
     std::vector<uint32_t> rays;    // the same for ray samples; none without quadtrees
 
-    /// Number `i` of a leaf's ray samples: RAY_SAMPLE_WORDS words.
-    uint32_t* ray(const LeafState& leaf, uint32_t i) {
-        return &rays.at(size_t{shader::RAY_SAMPLE_WORDS} * (leaf.first_sample + i));
+    /// Number `i` of a node's ray samples: RAY_SAMPLE_WORDS words.
+    uint32_t* ray(const NodeState& node, uint32_t i) {
+        return &rays.at(size_t{shader::RAY_SAMPLE_WORDS} * (node.first_ray + i));
     }
-    /// Those of a node's leaves; what it remembers is not among it.
-    QuadtreeLessons lessons_of(const Path& node) const;
+    /// Those of a node; what it remembers is not among it.
+    QuadtreeLessons lessons_of(const NodeState& node) const;
 };
 
 /// Which light ids samples have. A leaf draws its `lights` from one of four ranges, so that

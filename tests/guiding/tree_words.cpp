@@ -95,22 +95,29 @@ void store_sums(const NodeState& state, uint32_t number, TreeWords& words) {
 
 struct Range {
     uint64_t first, end;
-    Path leaf;
+    std::string owner;
 };
 
-/// Ranges of different leaves that overlap, and those that pass the end of their buffer.
+/// Ranges of different owners that overlap, and those that pass the end of their buffer.
 void check_ranges(std::vector<Range> ranges, uint64_t capacity, const char* what,
-                  const Numbering& numbers, Disagreements& found) {
+                  Disagreements& found) {
     std::sort(ranges.begin(), ranges.end(),
               [](const Range& a, const Range& b) { return a.first < b.first; });
     uint64_t end = 0;
     for (const Range& range : ranges) {
         if (range.first < end || range.end > capacity)
             found.add(fmt::format("{}: {}: expected at {} or later and before {}, seen {} .. {}",
-                                  name(range.leaf, numbers), what, end, capacity, range.first,
-                                  range.end));
+                                  range.owner, what, end, capacity, range.first, range.end));
         end = std::max(end, range.end);
     }
+}
+
+/// Adds the room that an owner has, which should be no less than `least`.
+void add_range(std::string owner, uint32_t first, uint32_t room, uint32_t least,
+               std::vector<Range>& ranges, Disagreements& found) {
+    if (room < least)
+        found.add(fmt::format("{}: room: expected at least {}, seen {}", owner, least, room));
+    if (room > 0) ranges.push_back({first, uint64_t{first} + room, std::move(owner)});
 }
 
 /// How the buckets of a cache are drawn: two words for each of them from `words` on.
@@ -157,17 +164,12 @@ uint32_t TreeWords::at(const shader::NodeArray& array, uint32_t node, uint32_t i
     return leaves.at(node_array_word(array, node, node_capacity()) + i);
 }
 
-QuadtreeLessons TreeState::lessons_of(const Path& node) const {
+QuadtreeLessons TreeState::lessons_of(const NodeState& node) const {
     QuadtreeLessons found;
-    for (int child = 0; child < 8; ++child) {
-        const auto leaf = leaves.find(child_of(node, child));
-        if (leaf == leaves.end()) continue;
-        found.blank += leaf->second.blank;
-        std::vector<StoredRay>& stored = found.leaves.emplace_back();
-        for (uint32_t i = 0; i < leaf->second.kept_rays(); ++i) {
-            const size_t word = size_t{RAY_SAMPLE_WORDS} * (leaf->second.first_sample + i);
-            stored.push_back({rays.at(word), rays.at(word + 1)});
-        }
+    found.blank = node.blank;
+    for (uint32_t i = 0; i < node.kept(); ++i) {
+        const size_t word = size_t{RAY_SAMPLE_WORDS} * (node.first_ray + i);
+        found.stored.push_back({rays.at(word), rays.at(word + 1)});
     }
     return found;
 }
@@ -215,8 +217,6 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
         const Explored& explored = leaf.explored;
         words.at(LEAF_EXPLORE, number, 0) = two_halves(explored.listed, explored.found);
         words.at(LEAF_EXPLORE, number, 1) = two_halves(explored.cached, explored.share);
-        words.at(LEAF_RAYS, number) = state.rays.empty() ? 0 : leaf.rays;
-        words.at(LEAF_BLANK, number) = state.rays.empty() ? 0 : leaf.blank;
         for (int face = 0; face < 6; ++face)
             words.at(LEAF_NEIGHBOURS, number, face) =
                 neighbour_number(state.inner, numbers, path, face);
@@ -228,6 +228,10 @@ TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage) 
             words.at(NODE_GUIDE, number, word) = field[static_cast<int>(word)];
         words.at(NODE_SHARE, number, 0) = two_halves(node.shared.plain, node.shared.guided);
         words.at(NODE_SHARE, number, 1) = two_halves(node.shared.rays, node.shared.share);
+        words.at(NODE_RAYS, number, 0) = node.rays;
+        words.at(NODE_RAYS, number, 1) = node.blank;
+        words.at(NODE_RAY_STORAGE, number, 0) = node.first_ray;
+        words.at(NODE_RAY_STORAGE, number, 1) = node.room;
         if (!node.remembered.empty()) store_sums(node, number, words);
     }
     return words;
@@ -270,8 +274,6 @@ Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
         const uint32_t number = numbers.leaf(leaf);
         const std::string where = name(leaf, numbers);
         check(where, "count", 0, seen.at(LEAF_COUNT, number));
-        check(where, "ray samples", 0, seen.at(LEAF_RAYS, number));
-        check(where, "blank rays", 0, seen.at(LEAF_BLANK, number));
         check(where, "visible lights", 0, seen.at(LEAF_VISIBLE, number));
         check(where, "source",
               old_numbers.leaf(source) | (leaf.size() > source.size() ? SOURCE_SPLIT : 0),
@@ -289,17 +291,30 @@ Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
     Disagreements found;
     const Numbering numbers(inner);
     const std::vector<Path> leaves = leaves_of(inner);
-    const auto least = static_cast<uint32_t>(sample_capacity / 4 / leaves.size());
     std::vector<Range> ranges;
-    for (const Path& leaf : leaves) {
-        const uint32_t first = seen.at(LEAF_STORAGE, numbers.leaf(leaf), 0);
-        const uint32_t room = seen.at(LEAF_STORAGE, numbers.leaf(leaf), 1);
-        if (room < least)
-            found.add(fmt::format("{}: room: expected at least {}, seen {}", name(leaf, numbers),
-                                  least, room));
-        if (room > 0) ranges.push_back({first, uint64_t{first} + room, leaf});
+    for (const Path& leaf : leaves)
+        add_range(name(leaf, numbers), seen.at(LEAF_STORAGE, numbers.leaf(leaf), 0),
+                  seen.at(LEAF_STORAGE, numbers.leaf(leaf), 1),
+                  static_cast<uint32_t>(sample_capacity / 4 / leaves.size()), ranges, found);
+    check_ranges(std::move(ranges), sample_capacity, "sample storage", found);
+    return found;
+}
+
+Disagreements compare_ray_storage(const InnerNodes& inner, const TreeWords& seen,
+                                  uint32_t ray_capacity) {
+    Disagreements found;
+    const Numbering numbers(inner);
+    std::vector<Range> ranges;
+    for (const Path& node : inner) {
+        const uint32_t number = numbers.node(node);
+        const std::string owner = fmt::format("node '{}'", node);
+        add_range(owner, seen.at(NODE_RAY_STORAGE, number, 0), seen.at(NODE_RAY_STORAGE, number, 1),
+                  static_cast<uint32_t>(ray_capacity / 4 / inner.size()), ranges, found);
+        for (uint32_t word = 0; word < NODE_RAYS.words; ++word)
+            if (const uint32_t rays = seen.at(NODE_RAYS, number, word); rays != 0)
+                found.add(fmt::format("{}: rays, word {}: expected 0, seen {}", owner, word, rays));
     }
-    check_ranges(std::move(ranges), sample_capacity, "sample storage", numbers, found);
+    check_ranges(std::move(ranges), ray_capacity, "ray storage", found);
     return found;
 }
 
@@ -343,7 +358,7 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
         }
         if (buckets == 0) continue;
         const uint64_t end = uint64_t{first} + vlc_cache_words(buckets, bucket);
-        ranges.push_back({first, end, leaf});
+        ranges.push_back({first, end, where});
         if (end > lights.size()) continue; // reported with the ranges
 
         // Ids in their order, with their ages, then NONE.
@@ -375,7 +390,7 @@ Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
         if (drawn.back().until != 1.0)
             found.add(fmt::format("{}: buckets are drawn until {}", where, drawn.back().until));
     }
-    check_ranges(std::move(ranges), lights.size(), "cache", numbers, found);
+    check_ranges(std::move(ranges), lights.size(), "cache", found);
     return found;
 }
 
@@ -463,7 +478,7 @@ Disagreements compare_quadtrees(const TreeState& old, const AdaptedByNode& expec
     uint32_t fewest = 0, most = 0;
     for (const auto& [path, node] : old.nodes) {
         const uint32_t number = numbers.node(path);
-        const bool adapts = old.lessons_of(path).rays() > 0;
+        const bool adapts = old.lessons_of(node).rays() > 0;
         const glm::uvec4 field = quadtree_at(seen_old, number);
         const auto text = [](glm::uvec4 words) {
             return fmt::format("{:08x} {:08x} {:08x} {:08x}", words.x, words.y, words.z, words.w);
@@ -579,6 +594,8 @@ void take_quadtrees(TreeState& state, const TreeWords& seen, uint32_t bits, bool
         NodeState& node = state.nodes[path];
         node.quadtree = squares_of(quadtree_at(seen, number), bits).value();
         node.shared = shared_at(seen, number);
+        node.first_ray = seen.at(NODE_RAY_STORAGE, number, 0);
+        node.room = seen.at(NODE_RAY_STORAGE, number, 1);
         if (remember) node.remembered = sums_at(seen, number, node.quadtree);
     }
 }

@@ -63,6 +63,9 @@ Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
 /// Sample storage of the leaves of a tree: without overlap, inside the buffer, and enough of it.
 Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
                               uint32_t sample_capacity);
+/// The same for ray samples of the nodes, of which none has any yet.
+Disagreements compare_ray_storage(const InnerNodes& inner, const TreeWords& seen,
+                                  uint32_t ray_capacity);
 
 /// Caches that were made on the old tree and handed on to the new one. `lights` is the buffer of
 /// all caches.

@@ -234,14 +234,16 @@ TEST_F(GuidingReports, MemoryAddsUp) {
     const refresh::GuidingReport report = renderer().report_guiding();
     EXPECT_TRUE(report.on);
     EXPECT_EQ(report.bytes, renderer().guiding().memory_bytes());
-    ASSERT_EQ(report.memory.size(), 6u);
+    ASSERT_EQ(report.memory.size(), 7u);
     uint64_t sum = 0;
     for (const refresh::GuidingReport::Amount& part : report.memory) {
         EXPECT_GT(part.amount, 0u) << part.name;
         sum += part.amount;
     }
     EXPECT_EQ(sum, report.bytes);
-    EXPECT_EQ(report.room.front().amount, renderer().guiding().header().node_capacity);
+    EXPECT_EQ(report.rooms.front().room, renderer().guiding().header().node_capacity);
+    for (const refresh::GuidingReport::Room& room : report.rooms)
+        EXPECT_LE(room.need, room.room) << room.name;
     EXPECT_GE(report.leaves, 8u);
     EXPECT_GE(report.depth, 1u);
 }

@@ -345,7 +345,7 @@ FAULTS = [
           "        memory.root += part.root;", "        memory.root = part.root;",
           GUIDING, "GuidingTest.RandomTreesOfAllSizes"),
     Fault("caches: a leaf may fill twice its part of the buffer", "shaders/guiding/vlc_merge.comp",
-          "const uint quota = header.vlc_capacity /", "const uint quota = 2u * header.vlc_capacity /",
+          "const uint quota = header.vlc_most /", "const uint quota = 2u * header.vlc_most /",
           GUIDING, "GuidingTest.TheBufferOfCachesIsShared"),
     Fault("mixture of vlc: the table counts 5% too unlikely", "shaders/light/vlc.glsl",
           "return shares.table * alias_probability(walk.light)", "return 0.95 * shares.table * alias_probability(walk.light)",

@@ -130,11 +130,11 @@ std::string guiding_text(const GuidingReport& guiding) {
     for (const GuidingReport::Amount& part : guiding.memory)
         row(part.name, part.amount);
     row("all", guiding.bytes);
-    std::string_view before = "\n  room for";
-    for (const GuidingReport::Amount& room : guiding.room) {
-        text += fmt::format("{} {} {}", before, room.amount, room.name);
-        before = ",";
-    }
+    text +=
+        fmt::format("\n  {:<22} {:>12}  {:>12}  {:>12}", "", "in use", "at most yet", "room for");
+    for (const GuidingReport::Room& room : guiding.rooms)
+        text += fmt::format("\n  {:<22} {:>12}  {:>12}  {:>12}", room.name, room.need, room.worst,
+                            room.room);
     return text;
 }
 
@@ -166,8 +166,9 @@ std::string quadtree_text(const GuidingReport& guiding) {
         return "No quadtrees guided rays in the last frame. pt_guide cdq makes them.";
     if (!guiding.position) return nothing_there;
     std::string text =
-        place_text(guiding) + fmt::format("  rays            {} in this frame, room for {}\n",
-                                          guiding.leaf.rays, guiding.leaf.room);
+        place_text(guiding) +
+        fmt::format("  rays            {} of its node's in this frame, room for {}\n",
+                    guiding.leaf.rays, guiding.leaf.ray_room);
     if (guiding.earlier.leaf != guiding.leaf.leaf)
         text += fmt::format("its quadtree is that of leaf {}, where it was a frame ago:\n",
                             guiding.earlier.leaf);

@@ -91,14 +91,20 @@ refresh::GuidingReport VkptRenderer::report_guiding() const {
                      {"octree cells, twice", 2 * tree.cells.bytes()},
                      {"octree leaves, twice", 2 * tree.leaves.bytes()},
                      {"light samples", guiding.samples().bytes()},
+                     {"ray samples", guiding.rays().bytes()},
                      {"light caches, twice", 2 * tree.caches.bytes()}};
     uint64_t rest = report.bytes;
     for (const auto& part : report.memory)
         rest -= part.amount;
-    report.memory.push_back({"rays, plan and lists", rest});
-    report.room = {{"inner nodes", guiding.header().node_capacity},
-                   {"light samples", guiding.header().sample_capacity},
-                   {"light ids in caches", guiding.header().vlc_capacity}};
+    report.memory.push_back({"plan and lists", rest});
+    const Guiding::Needs needs = Guiding::needs_of(guiding_work_), &worst = guiding.worst();
+    const shader::GuidingHeader& header = guiding.header();
+    report.rooms = {{"inner nodes", needs.nodes, worst.nodes, header.node_capacity},
+                    {"light samples", needs.samples, worst.samples, header.sample_capacity}};
+    if (guiding.guided())
+        report.rooms.push_back({"ray samples", needs.rays, worst.rays, header.ray_capacity});
+    report.rooms.push_back(
+        {"words of caches", needs.cache_words, worst.cache_words, header.vlc_capacity});
 
     const std::optional<shader::PrimaryHit> hit = hit_under_crosshair();
     if (!hit) return report;

@@ -113,6 +113,7 @@ bool FrameCommands::finish() {
     const VkFence fence = fence_.get();
     check(vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
     timer_.collect();
+    kept_.clear();
     submitted_ = false;
     return true;
 }

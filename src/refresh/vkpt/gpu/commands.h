@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace vigil::gpu {
@@ -89,6 +90,11 @@ public:
     /// pass that reads it waits for copies.
     void upload(const Buffer& target, uint64_t offset, std::span<const std::byte> bytes);
 
+    /// Keeps a resource until the GPU has finished this frame, and with it all frames before.
+    template <typename Resource> void keep(Resource&& resource) {
+        kept_.push_back(std::make_shared<std::decay_t<Resource>>(std::forward<Resource>(resource)));
+    }
+
 private:
     const Device* device_;
     Handle<VkCommandPool> pool_;
@@ -97,6 +103,7 @@ private:
     std::vector<Buffer> staging_; // chunks; kept and reused
     size_t staging_chunk_ = 0;
     uint64_t staging_used_ = 0;
+    std::vector<std::shared_ptr<void>> kept_;
     GpuTimer timer_;
     bool submitted_ = false;
 };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
+#include <utility>
 
 namespace vigil::vkpt {
 
@@ -19,13 +20,27 @@ constexpr uint64_t plan_words = 4;
 /// A work group per leaf must fit into one dimension of a dispatch, which Vulkan lets end at
 /// 65,535.
 constexpr uint32_t most_nodes = 8192, least_nodes = 64;
-/// Words of caches for each leaf that a tree may have: at least one largest bucket. Most leaves
-/// have no cache, so that in a hall of a thousand lamps one may have 16 buckets or more.
+/// Words of caches for each leaf that a tree may have, at most: at least one largest bucket. Most
+/// leaves have no cache, so that in a hall of a thousand lamps one may have 16 buckets or more.
 constexpr uint64_t cache_words_per_leaf = 104;
 static_assert(cache_words_per_leaf >= shader::VLC_LARGEST_BUCKET + shader::VLC_BUCKET_WORDS);
-/// Light samples per pixel that there is room for. A frame stores two at most; the rest is for
-/// leaves that expect more than they get.
+/// There is room for this part of them at the start, until caches ask for more.
+constexpr uint32_t first_cache_part = 6;
+/// From frame to frame. A tree of surfaces has four times the leaves with each level.
+constexpr double most_growth_of_caches = 3.0;
+/// Light samples per pixel that there is room for. A frame without caches stores three, others
+/// two; the rest is for leaves that expect more than they get.
 constexpr uint64_t samples_per_pixel = 4;
+/// The same of ray samples: a frame of one bounce has one ray per pixel to learn from, and those
+/// that bring nothing store none.
+constexpr uint64_t rays_per_pixel = 1;
+/// Beyond so many pixels there is room for three quarters: leaves have more samples than they need.
+constexpr uint64_t small_picture = 1 << 20;
+
+uint32_t room_for(uint64_t pixels, uint64_t per_pixel, uint64_t least) {
+    const uint64_t quarters = 3 * pixels + std::min(pixels, small_picture);
+    return static_cast<uint32_t>(std::max(per_pixel * quarters / 4, least));
+}
 
 /// Faces in the order of LEAF_NEIGHBOURS: all, and opposite ones in turn.
 constexpr uint32_t all_faces = 0b111111, half_of_faces[] = {0b010101, 0b101010};
@@ -63,15 +78,10 @@ Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, siz
       merge_(Pass::VlcMerge, compiler, layout_), guide_(Pass::GuideAdapt, compiler, layout_),
       adapt_(Pass::OctreeAdapt, compiler, layout_),
       augment_(Pass::OctreeAugment, compiler, layout_) {
-    std::vector<gpu::BindingKind> lookup(GUIDING_BINDING_COUNT, gpu::BindingKind::Storage);
-    for (const uint32_t words :
-         {BINDING_GUIDING_NODES, BINDING_GUIDING_VLC, BINDING_GUIDING_LEAF_WORDS})
-        lookup[words] = gpu::BindingKind::Words;
-    const std::vector<gpu::BindingKind> passes(GUIDING_PASS_BINDING_COUNT,
-                                               gpu::BindingKind::Storage);
     for (Tree& tree : trees_) {
-        tree.lookup = gpu::DescriptorSet(device, lookup, unused_, "guiding look-up set");
-        tree.passes = gpu::DescriptorSet(device, passes, unused_, "guiding pass set");
+        Sets sets = make_sets();
+        tree.lookup = std::move(sets.lookup);
+        tree.passes = std::move(sets.passes);
     }
     for (size_t slot = 0; slot < slots; ++slot) {
         statistics_.emplace_back(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Readback,
@@ -79,6 +89,17 @@ Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, siz
         std::memset(statistics_.back().mapped(), 0, sizeof(shader::GuidingWork));
     }
     layout_ = gpu::PipelineLayout(device, {&trees_[0].passes});
+}
+
+Guiding::Sets Guiding::make_sets() const {
+    std::vector<gpu::BindingKind> lookup(GUIDING_BINDING_COUNT, gpu::BindingKind::Storage);
+    for (const uint32_t words :
+         {BINDING_GUIDING_NODES, BINDING_GUIDING_VLC, BINDING_GUIDING_LEAF_WORDS})
+        lookup[words] = gpu::BindingKind::Words;
+    const std::vector<gpu::BindingKind> passes(GUIDING_PASS_BINDING_COUNT,
+                                               gpu::BindingKind::Storage);
+    return {gpu::DescriptorSet(device_, lookup, unused_, "guiding look-up set"),
+            gpu::DescriptorSet(device_, passes, unused_, "guiding pass set")};
 }
 
 void Guiding::choose_pipelines() {
@@ -159,8 +180,11 @@ void Guiding::make_buffers() {
     const uint64_t pixels = uint64_t{options_.picture_size.x} * options_.picture_size.y;
     header_.node_capacity = node_capacity(options_);
     const uint64_t nodes = header_.node_capacity, leaves = 8 * nodes;
-    header_.sample_capacity = static_cast<uint32_t>(std::max(samples_per_pixel * pixels, leaves));
-    header_.vlc_capacity = static_cast<uint32_t>(cache_words_per_leaf * leaves);
+    header_.sample_capacity = room_for(pixels, samples_per_pixel, leaves);
+    header_.ray_capacity = room_for(pixels, rays_per_pixel, nodes);
+    header_.vlc_most = static_cast<uint32_t>(cache_words_per_leaf * leaves);
+    header_.vlc_capacity =
+        options_.all_caches ? header_.vlc_most : header_.vlc_most / first_cache_part;
     const auto make = [&](uint64_t words, const char* name) {
         return gpu::Buffer(device_, words * sizeof(uint32_t), gpu::MemoryUse::Device, name);
     };
@@ -170,14 +194,18 @@ void Guiding::make_buffers() {
         const uint32_t node_words =
             options_.guide.guides() ? shader::NODE_WORDS + memory_words(options_.guide) : 0;
         tree.leaves = make((8 * shader::LEAF_WORDS + node_words) * nodes, "octree leaves");
-        tree.caches = make(header_.vlc_capacity, "light caches");
+        tree.caches = make_caches(header_);
     }
     plan_ = make(plan_words * nodes, "octree plan");
     samples_ = make(header_.sample_capacity, "light samples");
     rays_ = options_.guide.guides()
-                ? make(uint64_t{shader::RAY_SAMPLE_WORDS} * header_.sample_capacity, "ray samples")
+                ? make(uint64_t{shader::RAY_SAMPLE_WORDS} * header_.ray_capacity, "ray samples")
                 : gpu::Buffer();
     lists_ = make(2 * leaves + nodes, "lists of leaves and nodes");
+    for (gpu::Buffer& counts : statistics_)
+        std::memset(counts.mapped(), 0, sizeof(shader::GuidingWork));
+    worst_ = {};
+    cache_words_before_ = 0;
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
 }
@@ -243,14 +271,60 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
         const std::span<const std::byte> zeros = gpu::bytes_of(nothing);
         const glm::uvec4 first = guider->first_words(options_.guide.size);
         begin(shader::NODE_GUIDE, gpu::bytes_of_value(first));
-        begin(shader::NODE_SHARE, zeros.first(shader::NODE_SHARE.words * sizeof(uint32_t)));
+        for (const shader::NodeArray& array :
+             {shader::NODE_SHARE, shader::NODE_RAYS, shader::NODE_RAY_STORAGE})
+            begin(array, zeros.first(array.words * sizeof(uint32_t)));
         begin(shader::guide_memory(guider->memory_words()),
               zeros.first(guider->memory_words() * sizeof(uint32_t)));
     }
     restart_ = false;
 }
 
+gpu::Buffer Guiding::make_caches(const shader::GuidingHeader& header) const {
+    gpu::Buffer caches(device_, uint64_t{header.vlc_capacity} * sizeof(uint32_t),
+                       gpu::MemoryUse::Device, "light caches");
+    caches.texels(VK_FORMAT_R32_UINT); // made here, where failing harms nothing
+    return caches;
+}
+
+void Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
+    // The counts are as old as there are frames in flight. While the tree grows, it goes on as it
+    // did.
+    const double last = std::exchange(cache_words_before_, cache_words);
+    const double growth =
+        last > 0.0 ? std::clamp(cache_words / last, 1.0, most_growth_of_caches) : 1.0;
+    const double expected = cache_words * std::pow(growth, static_cast<double>(statistics_.size()));
+    const double room = header_.vlc_capacity, most = header_.vlc_most;
+    if (8.0 * expected <= 7.0 * room || room == most) return;
+    shader::GuidingHeader larger = header_;
+    larger.vlc_capacity =
+        static_cast<uint32_t>(std::min(std::max({1.5 * cache_words, expected, 1.25 * room}), most));
+    // Frames in flight use the sets and the buffers of before. What fails leaves them working.
+    std::array<gpu::Buffer, 2> caches{make_caches(larger), make_caches(larger)};
+    std::array<Sets, 2> sets{make_sets(), make_sets()};
+    header_ = larger;
+    for (size_t i = 0; i < 2; ++i) {
+        std::swap(trees_.at(i).caches, caches.at(i));
+        std::swap(trees_.at(i).lookup, sets.at(i).lookup);
+        std::swap(trees_.at(i).passes, sets.at(i).passes);
+    }
+    bind(trees_[0], trees_[1]);
+    bind(trees_[1], trees_[0]);
+    commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
+    const VkBufferCopy copy{0, 0, caches.at(current_).bytes()};
+    vkCmdCopyBuffer(commands.commands(), caches.at(current_).handle(),
+                    trees_.at(current_).caches.handle(), 1, &copy);
+    commands.keep(std::move(caches));
+    commands.keep(std::move(sets));
+}
+
 void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
+    const Needs needs = needs_of(statistics(slot));
+    worst_.nodes = std::max(worst_.nodes, needs.nodes);
+    worst_.samples = std::max(worst_.samples, needs.samples);
+    worst_.rays = std::max(worst_.rays, needs.rays);
+    worst_.cache_words = std::max(worst_.cache_words, needs.cache_words);
+    make_room(commands, needs.cache_words);
     if (restart_) upload_start(commands);
     shader::GuidingWork start{};
     start.deduplicate_groups = start.merge_groups = start.guide_groups =
@@ -284,6 +358,10 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
 
 shader::GuidingWork Guiding::statistics(size_t slot) const {
     return statistics_[slot].mapped_as<shader::GuidingWork>()[0];
+}
+
+Guiding::Needs Guiding::needs_of(const shader::GuidingWork& work) {
+    return {work.nodes + work.splits_refused, work.samples, work.rays, work.vlc_used};
 }
 
 uint64_t Guiding::memory_bytes() const {

@@ -24,8 +24,9 @@ public:
     struct Options {
         glm::uvec2 picture_size{0, 0};
         shader::GuidingSettings settings{};
-        GuideChoice guide{}; // what learns directions
-        bool lights = true;  // light samples are stored, and caches made of them
+        GuideChoice guide{};     // what learns directions
+        bool lights = true;      // light samples are stored, and caches made of them
+        bool all_caches = false; // room for the largest caches from the start, for tests
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
@@ -49,6 +50,14 @@ public:
     void record(gpu::FrameCommands& commands, size_t slot);
     /// What the frame counted that was recorded last in `slot`; after its fence.
     shader::GuidingWork statistics(size_t slot) const;
+
+    /// How many of what buffers hold a frame asked for.
+    struct Needs {
+        uint32_t nodes = 0, samples = 0, rays = 0, cache_words = 0;
+    };
+    static Needs needs_of(const shader::GuidingWork& work);
+    /// The most of each since the buffers were made.
+    const Needs& worst() const { return worst_; }
 
     /// Set 2 of the path tracer: look-ups and storing samples (shaders/guiding/octree.glsl).
     const gpu::DescriptorSet& look_up() const { return trees_[0].lookup; }
@@ -78,7 +87,13 @@ public:
 private:
     void choose_pipelines();
     void make_buffers();
+    struct Sets {
+        gpu::DescriptorSet lookup, passes;
+    };
+    Sets make_sets() const;
+    gpu::Buffer make_caches(const shader::GuidingHeader& header) const;
     void bind(Tree& from, const Tree& to);
+    void make_room(gpu::FrameCommands& commands, uint32_t cache_words);
     void upload_start(gpu::FrameCommands& commands);
 
     const gpu::Device& device_;
@@ -91,6 +106,8 @@ private:
     ComputePass mark_, deduplicate_, merge_, guide_, adapt_, augment_;
     Options options_;
     shader::GuidingHeader header_{};
+    Needs worst_;
+    uint32_t cache_words_before_ = 0; // asked for in the frame before the last known
     bool restart_ = true;
 };
 

@@ -18,6 +18,8 @@ std::vector<refresh::FrameCount> guiding_counts(const shader::GuidingWork& work)
         {"samples", static_cast<double>(work.samples)},
         {"samples_kept", static_cast<double>(work.samples - work.dropped)},
         {"samples_dropped", static_cast<double>(work.dropped)},
+        {"rays", static_cast<double>(work.rays)},
+        {"rays_dropped", static_cast<double>(work.rays_dropped)},
         {"leaves_with_samples", static_cast<double>(work.sampled_leaves)},
         {"caches", static_cast<double>(work.cached_leaves)},
         {"lights_per_cache", per_cache(work.cached_lights)},
@@ -25,6 +27,7 @@ std::vector<refresh::FrameCount> guiding_counts(const shader::GuidingWork& work)
         {"buckets_per_cache", per_cache(work.cached_buckets)},
         {"cdq_migrations", static_cast<double>(work.cdq_migrations)},
         {"lights_left_out", static_cast<double>(work.lights_left_out)},
+        {"caches_refused", static_cast<double>(work.caches_refused)},
     };
 }
 

@@ -41,12 +41,13 @@ LeafReport TreeCopy::leaf_at(glm::vec3 position, uint32_t bucket_size) const {
     const uint32_t leaf = report.leaf;
     report.samples = leaf_word(shader::LEAF_COUNT, leaf);
     report.room = leaf_word(shader::LEAF_STORAGE, leaf, 1);
-    report.rays = leaf_word(shader::LEAF_RAYS, leaf);
     report.explore_share = shader::explore_unpack({leaf_word(shader::LEAF_EXPLORE, leaf),
                                                    leaf_word(shader::LEAF_EXPLORE, leaf, 1)})
                                .share;
     if (guided_) {
         const uint32_t node = shader::octree_node_of(leaf);
+        report.rays = node_word(shader::NODE_RAYS, node);
+        report.ray_room = node_word(shader::NODE_RAY_STORAGE, node, 1);
         for (uint32_t word = 0; word < 4; ++word)
             report.guide[static_cast<glm::length_t>(word)] =
                 node_word(shader::NODE_GUIDE, node, word);
