@@ -363,6 +363,17 @@ TEST_F(RoomForCaches, CachesWaitForIt) {
     EXPECT_EQ(statistics_.caches_refused, 0u);
 }
 
+TEST_F(RoomForCaches, GrowsInTheFrameThatStartsAnew) {
+    start_with_little(108);
+    Dice dice(25);
+    see_many_lights(dice, 600);
+    upload();
+    run_passes();
+    EXPECT_GT(statistics_.vlc_used, first_);
+    start(settings_, 108); // no validation message: the header is copied once
+    EXPECT_GT(guiding().header().vlc_capacity, first_);
+}
+
 /// Lights of all caches that no sample saw in the last frame.
 size_t aged_lights(const Caches& caches) {
     size_t aged = 0;

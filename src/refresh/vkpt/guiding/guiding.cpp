@@ -310,10 +310,13 @@ void Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
     }
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
-    commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
-    const VkBufferCopy copy{0, 0, caches.at(current_).bytes()};
-    vkCmdCopyBuffer(commands.commands(), caches.at(current_).handle(),
-                    trees_.at(current_).caches.handle(), 1, &copy);
+    // A tree that starts anew uploads the header itself, and has no caches to keep.
+    if (!restart_) {
+        commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
+        const VkBufferCopy copy{0, 0, caches.at(current_).bytes()};
+        vkCmdCopyBuffer(commands.commands(), caches.at(current_).handle(),
+                        trees_.at(current_).caches.handle(), 1, &copy);
+    }
     commands.keep(std::move(caches));
     commands.keep(std::move(sets));
 }
