@@ -91,8 +91,8 @@ refresh::GuidingReport VkptRenderer::report_guiding() const {
                      {"octree cells, twice", 2 * tree.cells.bytes()},
                      {"octree leaves, twice", 2 * tree.leaves.bytes()},
                      {"light samples", guiding.samples().bytes()},
-                     {"ray samples", guiding.rays().bytes()},
                      {"light caches, twice", 2 * tree.caches.bytes()}};
+    if (guiding.guided()) report.memory.push_back({"ray samples", guiding.rays().bytes()});
     uint64_t rest = report.bytes;
     for (const auto& part : report.memory)
         rest -= part.amount;

@@ -202,8 +202,7 @@ void Guiding::make_buffers() {
                 ? make(uint64_t{shader::RAY_SAMPLE_WORDS} * header_.ray_capacity, "ray samples")
                 : gpu::Buffer();
     lists_ = make(2 * leaves + nodes, "lists of leaves and nodes");
-    for (gpu::Buffer& counts : statistics_)
-        std::memset(counts.mapped(), 0, sizeof(shader::GuidingWork));
+    counted_.assign(statistics_.size(), false);
     worst_ = {};
     cache_words_before_ = 0;
     bind(trees_[0], trees_[1]);
@@ -322,12 +321,15 @@ void Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
-    const Needs needs = needs_of(statistics(slot));
-    worst_.nodes = std::max(worst_.nodes, needs.nodes);
-    worst_.samples = std::max(worst_.samples, needs.samples);
-    worst_.rays = std::max(worst_.rays, needs.rays);
-    worst_.cache_words = std::max(worst_.cache_words, needs.cache_words);
-    make_room(commands, needs.cache_words);
+    if (counted_.at(slot)) {
+        const Needs needs = needs_of(statistics(slot));
+        worst_.nodes = std::max(worst_.nodes, needs.nodes);
+        worst_.samples = std::max(worst_.samples, needs.samples);
+        worst_.rays = std::max(worst_.rays, needs.rays);
+        worst_.cache_words = std::max(worst_.cache_words, needs.cache_words);
+        make_room(commands, needs.cache_words);
+    }
+    counted_.at(slot) = true;
     if (restart_) upload_start(commands);
     shader::GuidingWork start{};
     start.deduplicate_groups = start.merge_groups = start.guide_groups =

@@ -102,6 +102,7 @@ private:
     size_t current_ = 0;
     gpu::Buffer header_buffer_, plan_, samples_, rays_, lists_, work_;
     std::vector<gpu::Buffer> statistics_;
+    std::vector<bool> counted_;  // statistics of a slot are of the buffers that there are
     gpu::PipelineLayout layout_; // of the passes
     ComputePass mark_, deduplicate_, merge_, guide_, adapt_, augment_;
     Options options_;
