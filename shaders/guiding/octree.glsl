@@ -47,18 +47,23 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
     return SurfaceLeaves(descend(both, before).leaf, descend(both, now).leaf);
 }
 
+uint node_word(NodeArray array, uint node) { return node_array_word(array, node, guiding.node_capacity); }
+
+/// Counts a sample, and gives it the next place of a storage, if there is room. Both are words of leaves or nodes.
+bool take_place(uint counter, uint storage, out uint place) {
+    const uint number = atomicAdd(leaves[counter], 1u);
+    place = load_word(leaf_words, storage) + number;
+    return number < load_word(leaf_words, storage + 1u);
+}
+
 /// Stores a light sample (LIGHT_SAMPLE_*), if the leaf has room; counts it in any case.
 void store_light_sample(uint leaf, uint light_sample) {
-    const uint number = atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u);
-    const uint storage = leaf_word(LEAF_STORAGE, leaf);
-    if (number >= load_word(leaf_words, storage + 1u)) return;
-    light_samples[load_word(leaf_words, storage) + number] = light_sample;
+    uint place;
+    if (take_place(leaf_word(LEAF_COUNT, leaf), leaf_word(LEAF_STORAGE, leaf), place)) light_samples[place] = light_sample;
 }
 
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
 void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u); }
-
-uint node_word(NodeArray array, uint node) { return node_array_word(array, node, guiding.node_capacity); }
 
 /// Counts a ray that brought nothing.
 void count_blank_ray(uint leaf) { atomicAdd(leaves[node_word(NODE_RAYS, octree_node_of(leaf)) + 1u], 1u); }
@@ -66,12 +71,10 @@ void count_blank_ray(uint leaf) { atomicAdd(leaves[node_word(NODE_RAYS, octree_n
 /// Stores a ray sample, if the leaf's node has room; counts it in any case.
 void store_ray_sample(uint leaf, uvec2 ray_sample) {
     const uint node = octree_node_of(leaf);
-    const uint number = atomicAdd(leaves[node_word(NODE_RAYS, node)], 1u);
-    const uint storage = node_word(NODE_RAY_STORAGE, node);
-    if (number >= load_word(leaf_words, storage + 1u)) return;
-    const uint first = RAY_SAMPLE_WORDS * (load_word(leaf_words, storage) + number);
-    ray_samples[first] = ray_sample.x;
-    ray_samples[first + 1u] = ray_sample.y;
+    uint place;
+    if (!take_place(node_word(NODE_RAYS, node), node_word(NODE_RAY_STORAGE, node), place)) return;
+    ray_samples[RAY_SAMPLE_WORDS * place] = ray_sample.x;
+    ray_samples[RAY_SAMPLE_WORDS * place + 1u] = ray_sample.y;
 }
 
 ShareMemory load_share(uint node) {

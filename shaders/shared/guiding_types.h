@@ -11,7 +11,7 @@
 
 SHADER_BEGIN
 
-/// Written by the host when buffers are made or the octree starts anew.
+/// Written by the host when the octree starts anew or there is more room for caches.
 struct GuidingHeader {
     vec3 corner;          // lowest corner of the root's cube, map units
     float scale;          // smallest cells per map unit

@@ -81,6 +81,9 @@ struct AdaptedQuadtrees {
     bool tied = false; // there were equal candidates, not 0: the lowest number decides
 };
 
+/// What may become of each node's quadtree.
+using AdaptedByNode = ByPath<AdaptedQuadtrees>;
+
 AdaptedQuadtrees adapt_quadtree(const Squares& inner, const QuadtreeLessons& lessons,
                                 const QuadtreeLimits& limits);
 

@@ -6,6 +6,7 @@
 #include "refresh/vkpt/gpu/commands.h"
 #include "shared/cdq.h"
 #include "shared/octree.h"
+#include "tree_comparison.h"
 
 #include <array>
 #include <memory>
@@ -88,7 +89,7 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
     settings_ = settings;
     const vkpt::GuideChoice guide =
         cdq_bits_ > 0 ? vkpt::GuideChoice{Guide::cdq, cdq_bits_} : vkpt::GuideChoice{};
-    guiding().prepare({glm::uvec2(picture_size_), settings, guide, true, all_caches_});
+    guiding().prepare({glm::uvec2(picture_size_), settings, guide, true, first_cache_part_});
 
     // The first frame starts from a tree that exists nowhere yet.
     frame_ = 0;

@@ -53,7 +53,7 @@ protected:
     ByPath<ShareState> shares_;        // the same for shares that are learned
     shader::GuidingWork statistics_{}; // seen in the last frame
     shader::GuidingSettings settings_{};
-    bool all_caches_ = true; // start() makes room for the largest caches
+    uint32_t first_cache_part_ = 1; // start() makes room for all caches
 
 private:
     /// Whether quadtrees keep sums from frame to frame.

@@ -309,7 +309,7 @@ protected:
     /// Makes little room at first. Sizes differ from test to test: a size that stays keeps its
     /// room.
     void start_with_little(uint32_t picture_size) {
-        all_caches_ = false;
+        first_cache_part_ = vkpt::Guiding::Options{}.first_cache_part;
         start(settings_with(2, 16), picture_size);
         first_ = guiding().header().vlc_capacity;
         EXPECT_LE(first_, guiding().header().vlc_most / 4);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A tree as the guiding passes store it (octree.h, guiding_types.h): made from a tree of paths to
-// start a frame with, and compared with what the oracle expects after it. Everything that the
-// passes have no business to read is filled with garbage.
+// start a frame with, and read after it. Everything that the passes have no business to read is
+// filled with garbage.
 #pragma once
 
 #include "random_trees.h"
 #include "vlc_oracle.h"
 
-#include <string>
+#include <optional>
+#include <span>
 
 namespace vigil::test {
 
@@ -43,59 +44,22 @@ private:
 
 TreeWords encode(const TreeState& state, uint32_t node_capacity, Dice& garbage);
 
-/// What was expected and what was seen, one line each; long lists are cut.
-class Disagreements {
-public:
-    void add(std::string line);
-    bool empty() const { return count_ == 0; }
-    std::string text() const;
+// What the words of a tree say.
 
-private:
-    std::vector<std::string> lines_;
-    size_t count_ = 0;
-};
-
-/// Topology, cubes, sources, neighbours and counts of a new tree. `old` is the tree that it was
-/// made from.
-Disagreements compare_tree(const AdaptedOctree& expected, const InnerNodes& old,
-                           const TreeWords& seen);
-
-/// Sample storage of the leaves of a tree: without overlap, inside the buffer, and enough of it.
-Disagreements compare_storage(const InnerNodes& inner, const TreeWords& seen,
-                              uint32_t sample_capacity);
-/// The same for ray samples of the nodes, of which none has any yet.
-Disagreements compare_ray_storage(const InnerNodes& inner, const TreeWords& seen,
-                                  uint32_t ray_capacity);
-
-/// Caches that were made on the old tree and handed on to the new one. `lights` is the buffer of
-/// all caches.
-Disagreements compare_caches(const Caches& expected, const TreeWords& seen_old,
-                             const InnerNodes& old, std::span<const uint32_t> lights,
-                             uint32_t bucket);
-Disagreements compare_handed_on(const AdaptedOctree& expected, const Caches& caches,
-                                const TreeWords& seen, const InnerNodes& old,
-                                const TreeWords& seen_old);
-
-/// The same for what guiders know: quadtrees, what they remember if they do, and shares.
-Disagreements compare_guides_handed_on(const AdaptedOctree& expected, const TreeWords& seen,
-                                       const InnerNodes& old, const TreeWords& seen_old,
-                                       bool remember);
-
-/// What was learned of shares, in the nodes of the tree `old` that the passes started from.
-Disagreements compare_shares(const TreeState& old, const ByPath<ShareState>& expected,
-                             const TreeWords& seen_old);
-
-/// What may become of each node's quadtree.
-using AdaptedByNode = ByPath<AdaptedQuadtrees>;
-
-/// Quadtrees of `bits` bits after the passes, in the nodes of the tree `old` that they started
-/// from, what they remember if they do, and how many migrations were counted.
-Disagreements compare_quadtrees(const TreeState& old, const AdaptedByNode& expected, uint32_t bits,
-                                bool remember, const TreeWords& seen_old,
-                                const shader::GuidingWork& statistics);
-
-Disagreements compare_statistics(const TreeState& old, const AdaptedOctree& tree,
-                                 const Caches& caches, const shader::GuidingWork& seen);
+/// Bit i: child i of an inner node is a leaf.
+uint32_t leaf_mask(const InnerNodes& inner, const Path& node);
+/// The first inner child; nothing if all children are leaves.
+std::optional<Path> first_inner_child(const InnerNodes& inner, const Path& node);
+/// The leaf beyond a face, or NONE.
+uint32_t neighbour_number(const InnerNodes& inner, const Numbering& numbers, const Path& leaf,
+                          int face);
+glm::uvec4 quadtree_at(const TreeWords& words, uint32_t octree_node);
+ShareState shared_at(const TreeWords& words, uint32_t octree_node);
+/// What the leaves of a quadtree remember, as stored.
+Sums sums_at(const TreeWords& words, uint32_t octree_node, const Squares& inner);
+/// How the buckets of a cache are drawn: two words for each of them from `words` on.
+BucketDraws drawn_at(std::span<const uint32_t> words);
+Explored explored_at(const TreeWords& words, uint32_t leaf);
 
 /// The tree after the passes, before samples are placed in it. `caches` are those of the tree
 /// before, `lights` is the buffer of all caches, of buckets of `bucket` lights.

@@ -24,9 +24,8 @@ constexpr uint32_t most_nodes = 8192, least_nodes = 64;
 /// leaves have no cache, so that in a hall of a thousand lamps one may have 16 buckets or more.
 constexpr uint64_t cache_words_per_leaf = 104;
 static_assert(cache_words_per_leaf >= shader::VLC_LARGEST_BUCKET + shader::VLC_BUCKET_WORDS);
-/// There is room for this part of them at the start, until caches ask for more.
-constexpr uint32_t first_cache_part = 6;
-/// From frame to frame. A tree of surfaces has four times the leaves with each level.
+/// What caches ask for grows by no more from frame to frame. A tree of surfaces has four times the
+/// leaves with each level.
 constexpr double most_growth_of_caches = 3.0;
 /// Light samples per pixel that there is room for. A frame without caches stores three, others
 /// two; the rest is for leaves that expect more than they get.
@@ -37,7 +36,7 @@ constexpr uint64_t rays_per_pixel = 1;
 /// Beyond so many pixels there is room for three quarters: leaves have more samples than they need.
 constexpr uint64_t small_picture = 1 << 20;
 
-uint32_t room_for(uint64_t pixels, uint64_t per_pixel, uint64_t least) {
+uint32_t sample_capacity(uint64_t pixels, uint64_t per_pixel, uint64_t least) {
     const uint64_t quarters = 3 * pixels + std::min(pixels, small_picture);
     return static_cast<uint32_t>(std::max(per_pixel * quarters / 4, least));
 }
@@ -180,11 +179,10 @@ void Guiding::make_buffers() {
     const uint64_t pixels = uint64_t{options_.picture_size.x} * options_.picture_size.y;
     header_.node_capacity = node_capacity(options_);
     const uint64_t nodes = header_.node_capacity, leaves = 8 * nodes;
-    header_.sample_capacity = room_for(pixels, samples_per_pixel, leaves);
-    header_.ray_capacity = room_for(pixels, rays_per_pixel, nodes);
+    header_.sample_capacity = sample_capacity(pixels, samples_per_pixel, leaves);
+    header_.ray_capacity = sample_capacity(pixels, rays_per_pixel, nodes);
     header_.vlc_most = static_cast<uint32_t>(cache_words_per_leaf * leaves);
-    header_.vlc_capacity =
-        options_.all_caches ? header_.vlc_most : header_.vlc_most / first_cache_part;
+    header_.vlc_capacity = header_.vlc_most / options_.first_cache_part;
     const auto make = [&](uint64_t words, const char* name) {
         return gpu::Buffer(device_, words * sizeof(uint32_t), gpu::MemoryUse::Device, name);
     };

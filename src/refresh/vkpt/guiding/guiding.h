@@ -24,9 +24,9 @@ public:
     struct Options {
         glm::uvec2 picture_size{0, 0};
         shader::GuidingSettings settings{};
-        GuideChoice guide{};     // what learns directions
-        bool lights = true;      // light samples are stored, and caches made of them
-        bool all_caches = false; // room for the largest caches from the start, for tests
+        GuideChoice guide{};           // what learns directions
+        bool lights = true;            // light samples are stored, and caches made of them
+        uint32_t first_cache_part = 6; // room for one in so many of all caches at the start
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
