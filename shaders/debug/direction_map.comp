@@ -50,9 +50,9 @@ void main() {
     const uint lane = gl_LocalInvocationIndex;
     const uint index = cell.y * DIRECTION_MAP_EDGE + cell.x;
     float value = sample_cell(cell);
-    if (frame.view_accumulated > 0u) {
+    if (turn.view_accumulated > 0u) {
         const float before = directions[index];
-        value = before + (value - before) / (float(frame.view_accumulated) + 1.0);
+        value = before + (value - before) / (float(turn.view_accumulated) + 1.0);
     }
     directions[index] = value;
     tile[lane] = value;

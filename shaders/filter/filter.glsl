@@ -11,7 +11,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// Those of two frames have two halves; frame.filter_half says which is this frame's.
+// Those of two frames have two halves; turn.filter_half says which is this frame's.
 layout(set = SET_FILTER, binding = BINDING_FILTER_SURFACES, scalar) restrict writeonly buffer FilterSurfaceBlock {
     FilterSurface filter_surfaces[];
 };
@@ -50,8 +50,8 @@ FilterStatistics load_statistics(uint index) {
 
 uvec4 load_packed_light(uint index) { return texelFetch(light_records, int(index)); }
 
-uint this_half() { return frame.filter_half * frame.filter_capacity; }
-uint last_half() { return (1u - frame.filter_half) * frame.filter_capacity; }
+uint this_half() { return turn.filter_half * frame.filter_capacity; }
+uint last_half() { return (1u - turn.filter_half) * frame.filter_capacity; }
 uint pixel_index(ivec2 pixel) { return uint(pixel.y) * frame.size.x + uint(pixel.x); }
 /// Of the frame before, which may have been of another size.
 uint last_index(ivec2 pixel) { return last_half() + uint(pixel.y) * frame.last_size.x + uint(pixel.x); }

@@ -69,7 +69,7 @@ void main() {
     const vec2 variance = smooth_variance(pixel, source, middle.deviation);
     const int stride = 1 << filter_step;
     // Distance from the surface's plane, in widths of the step: depths times the rays' parts along the normal.
-    const float along = dot(camera_ray(vec2(pixel) + frame.pixel_point), normal);
+    const float along = dot(camera_ray(vec2(pixel) + turn.pixel_point), normal);
     const vec2 along_step = 2.0 * float(stride) / vec2(frame.size) * vec2(dot(frame.camera_right, normal), -dot(frame.camera_up, normal));
     const float own_distance = surface.depth * along;
     const float per_distance = 1.0 / (surface.depth * frame.pixel_angle * float(stride));

@@ -90,7 +90,7 @@ void main() {
     vec2 place;
     vec3 before;
     if ((frame.filter_flags & FILTER_HISTORY) != 0u && place_before(front, place) &&
-        resolved_before(place + last_scale() * (vec2(pixel) + 0.5 - (vec2(front) + frame.pixel_point)), factor, before))
+        resolved_before(place + last_scale() * (vec2(pixel) + 0.5 - (vec2(front) + turn.pixel_point)), factor, before))
         value = mix(clamp(before, darkest, brightest), middle, new_part);
     value = expand(max(value, vec3(0.0)), factor);
     if (!is_finite_nonnegative(value)) value = vec3(0.0);

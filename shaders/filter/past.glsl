@@ -29,7 +29,7 @@ struct Then {
 Then point_before(PrimaryHit hit, FilterSurface surface) {
     const vec3 normal = normal_before(hit.normal, hit.instance);
     const vec2 step = vec2(2.0, -2.0) / vec2(frame.last_size);
-    const vec2 corner = vec2(-1.0, 1.0) + step * frame.last_pixel_point;
+    const vec2 corner = vec2(-1.0, 1.0) + step * turn.last_pixel_point;
     const vec3 first = frame.last_camera_forward + corner.x * frame.last_camera_right + corner.y * frame.last_camera_up;
     return Then(offset_before(hit.position, hit.instance), vec4(normal, unpackSnorm4x8(surface.facing).w), surface.id,
                 2.0 * surface.depth * frame.pixel_angle,
@@ -99,7 +99,7 @@ Past find_past(PrimaryHit hit, FilterSurface surface) {
     const Then then = point_before(hit, surface);
     vec2 place;
     if (!project_last(then.offset, place)) return past;
-    const vec2 corner = place - frame.last_pixel_point;
+    const vec2 corner = place - turn.last_pixel_point;
     const ivec2 first = ivec2(floor(corner));
     const vec2 within = corner - vec2(first);
     float sum = 0.0;

@@ -49,8 +49,14 @@ SurfaceLeaves find_leaves(vec3 position, vec3 previous) {
 
 uint node_word(NodeArray array, uint node) { return node_array_word(array, node, guiding.node_capacity); }
 
+/// Counts a surface or a ray, unless nothing is learned from this frame.
+void count(uint counter) {
+    if (guiding.stores != 0u) atomicAdd(leaves[counter], 1u);
+}
+
 /// Counts a sample, and gives it the next place of a storage, if there is room. Both are words of leaves or nodes.
 bool take_place(uint counter, uint storage, out uint place) {
+    if (guiding.stores == 0u) return false;
     const uint number = atomicAdd(leaves[counter], 1u);
     place = load_word(leaf_words, storage) + number;
     return number < load_word(leaf_words, storage + 1u);
@@ -63,10 +69,10 @@ void store_light_sample(uint leaf, uint light_sample) {
 }
 
 /// Counts a surface whose light sample is of no use, so that the octree follows surfaces with every technique.
-void count_surface(uint leaf) { atomicAdd(leaves[leaf_word(LEAF_COUNT, leaf)], 1u); }
+void count_surface(uint leaf) { count(leaf_word(LEAF_COUNT, leaf)); }
 
 /// Counts a ray that brought nothing.
-void count_blank_ray(uint leaf) { atomicAdd(leaves[node_word(NODE_RAYS, octree_node_of(leaf)) + 1u], 1u); }
+void count_blank_ray(uint leaf) { count(node_word(NODE_RAYS, octree_node_of(leaf)) + 1u); }
 
 /// Stores a ray sample, if the leaf's node has room; counts it in any case.
 void store_ray_sample(uint leaf, uvec2 ray_sample) {

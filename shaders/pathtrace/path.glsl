@@ -17,7 +17,7 @@ const uint STREAM_INDIRECT = 2u;
 const uint STREAM_VIEW = 3u;
 
 Random path_random(uvec2 pixel, uint stream) {
-    return random_path(pixel, path_number(frame.frame, path_count, path_index), stream, uint(frame.settings.pt_seed));
+    return random_path(pixel, path_number(turn.frame, path_count, path_index), stream, uint(frame.settings.pt_seed));
 }
 
 bool pixel_of_invocation(out uvec2 pixel, out uint index) {

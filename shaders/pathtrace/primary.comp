@@ -71,7 +71,7 @@ void main() {
     uint index;
     if (!pixel_of_invocation(pixel, index)) return;
     Random random = path_random(pixel, STREAM_PRIMARY);
-    const vec2 inside = frame.jitter != 0u ? random_next2(random) : frame.pixel_point;
+    const vec2 inside = frame.jitter != 0u ? random_next2(random) : turn.pixel_point;
     const Ray ray = Ray(frame.camera_origin, 0.0, normalize(camera_ray(vec2(pixel) + inside)), 1e30);
 
     PrimaryHit stored;
@@ -101,7 +101,7 @@ void main() {
         stored.gloss = packHalf2x16(vec2(vertex.surface.brdf.alpha, vertex.surface.brdf.f0));
     }
     // What was found not to be finite stays marked while its frame, or its mean, is made.
-    if (path_index > 0u || frame.accumulated > 0u) stored.flags |= primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
+    if (path_index > 0u || turn.accumulated > 0u) stored.flags |= primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
     primary_hits[index] = stored;
     add_radiance(index, emission, path_index == 0u);
     if (frame.filter_flags != 0u) {

@@ -30,12 +30,12 @@ void main() {
         const uint index = pixel.y * frame.size.x + pixel.x;
         const uint carry_index = frame.size.x * frame.size.y + index;
         vec3 value, carry = vec3(0.0);
-        if (frame.accumulated > 0u) value = mean_radiance[index];
-        if (frame.accumulated > 1u) carry = mean_radiance[carry_index];
-        add_to_mean(value, carry, frame.accumulated, radiance[index] / float(path_count));
+        if (turn.accumulated > 0u) value = mean_radiance[index];
+        if (turn.accumulated > 1u) carry = mean_radiance[carry_index];
+        add_to_mean(value, carry, turn.accumulated, radiance[index] / float(path_count));
         mean_radiance[index] = value;
         // Of one frame it is 0, and nobody reads it.
-        if (frame.accumulated > 0u) mean_radiance[carry_index] = carry;
+        if (turn.accumulated > 0u) mean_radiance[carry_index] = carry;
         tile[lane] = vec2(luminance(value), 1.0);
     }
     const vec2 sum = tile_sum(lane);

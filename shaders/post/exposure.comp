@@ -29,8 +29,8 @@ void main() {
         value = 0.18 / (root * root * root);
         // As eyes do: by a part of the difference in stops.
         const float before = exposure / exp2(frame.settings.pt_exposure_bias);
-        if (frame.exposure_part < 1.0 && before > 1e-7 && before < 1e7)
-            value = before * pow(clamp(value, 1e-6, 1e6) / before, frame.exposure_part);
+        if (turn.exposure_part < 1.0 && before > 1e-7 && before < 1e7)
+            value = before * pow(clamp(value, 1e-6, 1e6) / before, turn.exposure_part);
     }
     exposure = clamp(value, 1e-6, 1e6) * exp2(frame.settings.pt_exposure_bias);
 }

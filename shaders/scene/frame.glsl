@@ -31,7 +31,7 @@ layout(set = SET_SCENE, binding = BINDING_FILTER_INPUT, scalar) restrict buffer 
 
 layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
 
-// The fields of PassConstants (shared/frame_params.h), which passes that belong to no side need not set beyond path_count.
+// The fields of PassConstants (shared/frame_params.h), of which passes that belong to no side need path_count and turn.
 layout(push_constant, scalar) uniform PushBlock {
     uint path_index;
     uint path_count;
@@ -41,6 +41,7 @@ layout(push_constant, scalar) uniform PushBlock {
     uint guided;
     uint filter_step;
     uint indirect_turn;
+    FrameTurn turn;
 };
 
 /// A camera ray through a place of the picture, in pixels from its corner: 1 along `forward`. The axes are as in FrameParams.

@@ -101,17 +101,17 @@ vec3 sample_texture(Texture header, vec2 uv, float footprint) {
 /// second) and its scrolling (64 texels every two seconds, as warped faces flow at half that speed).
 vec2 animate_uv(vec2 uv, uint material_flags) {
     if ((material_flags & MATERIAL_WARP) != 0u) {
-        const vec2 phase = 8.0 * uv.yx + frame.time_s;
+        const vec2 phase = 8.0 * uv.yx + turn.time_s;
         uv += (8.0 / 64.0) * 0.5 * sin(phase);
     }
-    if ((material_flags & MATERIAL_FLOWING) != 0u) uv.x -= fract(frame.time_s * 0.5);
+    if ((material_flags & MATERIAL_FLOWING) != 0u) uv.x -= fract(turn.time_s * 0.5);
     return uv;
 }
 
 Texture material_texture(Material material) {
     uint index = material.texture;
     // Quake II shows two animation frames per second.
-    if (HAS_ANIMATION && material.frame_count > 1u) index += uint(frame.time_s * 2.0) % material.frame_count;
+    if (HAS_ANIMATION && material.frame_count > 1u) index += uint(turn.time_s * 2.0) % material.frame_count;
     return load_texture(index);
 }
 

@@ -17,34 +17,39 @@ struct FrameParams {
     vec3 camera_up;      // length: tan(half vertical angle)
     uvec2 size;          // pixels that are traced
     float pixel_angle;   // angle that a pixel covers in the middle of the picture, radians
-    float time_s;
-    uint frame;            // counts rendered frames; the random sequence
-    uint accumulated;      // frames in the running mean before this one; 0 starts anew
-    uint view_accumulated; // the same of what pt_view takes the mean of
-    uint jitter;           // 1: camera rays pass through random points of the pixel
-    uint light_count;      // ids in use, dark ones included
-    uint sky_texture;      // first of six textures in the order of formats/sky.h, or NONE
-    mat3 sky_from_world;   // turns the sky box, not the sun
-    vec3 sky_radiance;     // factor on the sky's texels; the radiance itself if there is no texture
-    vec3 sun_direction;    // unit, towards the sun
-    vec3 sun_radiance;     // of the disc; 0 without a sun, or if it is a point
-    float sun_size;        // 1 - cos(half the angular diameter)
-    vec3 sun_flux;         // radiance times solid angle of the disc
-    uint sun_light;        // id of the sun, or NONE: it is no light
+    uint jitter;         // 1: camera rays pass through random points of the pixel
+    uint light_count;    // ids in use, dark ones included
+    uint sky_texture;    // first of six textures in the order of formats/sky.h, or NONE
+    mat3 sky_from_world; // turns the sky box, not the sun
+    vec3 sky_radiance;   // factor on the sky's texels; the radiance itself if there is no texture
+    vec3 sun_direction;  // unit, towards the sun
+    vec3 sun_radiance;   // of the disc; 0 without a sun, or if it is a point
+    float sun_size;      // 1 - cos(half the angular diameter)
+    vec3 sun_flux;       // radiance times solid angle of the disc
+    uint sun_light;      // id of the sun, or NONE: it is no light
     // What the filter needs; shared/filter_types.h.
-    uint filter_flags;     // FILTER_*
-    uint filter_half;      // 0 or 1: this frame's half of buffers that hold two frames
-    uint filter_capacity;  // pixels in each half
-    uvec2 last_size;       // of the frame before, pixels
-    uint split_column;     // where the picture's second side begins; its width if there is none
-    vec2 pixel_point;      // where in the pixel camera rays pass unless they are jittered one by one
-    vec2 last_pixel_point; // the same of the frame before; and its camera
-    vec3 last_camera_origin;
+    uint filter_flags;       // FILTER_*
+    uint filter_capacity;    // pixels in each half
+    uvec2 last_size;         // of the frame before, pixels
+    uint split_column;       // where the picture's second side begins; its width if there is none
+    vec3 last_camera_origin; // of the frame before
     vec3 last_camera_forward;
     vec3 last_camera_right;
     vec3 last_camera_up;
-    float exposure_part; // of this frame in an automatic exposure that follows slowly; 1: it does not
     GpuSettings settings;
+};
+
+/// What differs from frame to frame though nothing changes. It goes with each pass, so that FrameParams
+/// need not be copied again.
+struct FrameTurn {
+    uint frame;            // counts rendered frames; the random sequence
+    uint accumulated;      // frames in the running mean before this one; 0 starts anew
+    uint view_accumulated; // the same of what pt_view takes the mean of
+    float time_s;
+    uint filter_half;      // 0 or 1: this frame's half of buffers that hold two frames
+    vec2 pixel_point;      // where in the pixel camera rays pass unless they are jittered one by one
+    vec2 last_pixel_point; // the same of the frame before
+    float exposure_part;   // of this frame in an automatic exposure that follows slowly; 1: it does not
 };
 
 /// Push constants of the path tracer's passes. A picture has two sides while techniques are
@@ -58,6 +63,7 @@ struct PassConstants {
     uint guided;         // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
     uint filter_step;    // of the passes of the filter: how many steps over neighbours came before
     uint indirect_turn;  // whose turn it is to trace indirect light: shared/indirect_turn.h
+    FrameTurn turn;
 };
 
 /// Counted on the GPU, read back by the host without waiting.

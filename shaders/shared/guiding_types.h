@@ -11,7 +11,8 @@
 
 SHADER_BEGIN
 
-/// Written by the host when the octree starts anew or there is more room for caches.
+/// Written by the host when the octree starts anew, caches get more room, or learning begins or
+/// ends.
 struct GuidingHeader {
     vec3 corner;          // lowest corner of the root's cube, map units
     float scale;          // smallest cells per map unit
@@ -20,6 +21,7 @@ struct GuidingHeader {
     uint ray_capacity;    // ray samples that fit
     uint vlc_capacity;    // words of all caches that there is room for
     uint vlc_most;        // to which that may grow
+    uint stores;          // 1: samples of this frame are stored; 0: nothing is learned from it
 };
 
 /// Arrays by leaf, one after another in one buffer of words (structure of arrays).

@@ -89,6 +89,8 @@
         "Octree: Eight leaves with fewer samples together become one. The number is for 1920 x 1080.") \
     REAL(pt_oct_scale, Session, Reference, 1.0, 0.001, 1000.0, \
         "Octree: Factor on both thresholds. They also follow the number of pixels.") \
+    INTEGER(pt_rest_after, Archived, Reference, 128, 0, 1000000, \
+        "Guiding: Frames without any change after which it learns from one frame of 31 only. 0: from each, as in the paper.") \
     GPU_INTEGER(pt_vlc_bucket, Archived, Reference, 32, 1, 64, \
         "vlc: Most lights weighted per hit. Caches with more lights have several buckets.") \
     GPU_REAL(pt_vlc_explore, Archived, Reference, 0.03, 0.0, 1.0, \

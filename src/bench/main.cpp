@@ -63,9 +63,11 @@ int main(int argc, char** argv) {
         command->callback([&, command] { status = bench.run(command->remaining()); });
     }
     try {
-        // What is measured is raw, unless a row says otherwise, and begins with the first frame.
+        // What is measured is raw, begins with the first frame and learns from each, unless a row
+        // says otherwise.
         vigil::cvars().set("flt_enable", "0");
         vigil::cvars().set("flt_first", "0");
+        vigil::cvars().set("pt_rest_after", "0");
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) fmt::print("{}", app.help());
         return status;

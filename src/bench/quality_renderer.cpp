@@ -259,7 +259,7 @@ shader::FrameParams QualityRenderer::camera(const Pose& pose) const {
     refresh::View view = session_->frame_at(pose.time_s).view;
     view.origin = pose.origin;
     view.angles = pose.angles;
-    shader::FrameParams params{};
+    vkpt::FrameDescription params{};
     vkpt::set_camera(params, view, renderer_->buffers().size());
     return params;
 }

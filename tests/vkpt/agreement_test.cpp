@@ -115,7 +115,7 @@ TEST_F(Agreement, CameraRaysHitWhatBruteForceHits) {
     for (int view = 0; view < 24; ++view) {
         const Shot shot = crowded_view(random);
         radiance(shot);
-        shader::FrameParams frame = params(shot);
+        vkpt::FrameDescription frame = params(shot);
         frame.frame = static_cast<uint32_t>(1000 + view);
         trace(frame, 1);
         const std::vector<shader::PrimaryHit> hits = primary_hits();

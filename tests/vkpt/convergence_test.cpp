@@ -197,7 +197,7 @@ protected:
     static constexpr int judged = frames - first_judged;
     static constexpr float degrees_per_frame = 6.0f;
 
-    static void turn_sun(shader::FrameParams& params, int number) {
+    static void turn_sun(vkpt::FrameDescription& params, int number) {
         const float angle = glm::radians(degrees_per_frame * static_cast<float>(number));
         const glm::vec3 sun = params.sun_direction;
         params.sun_direction = {std::cos(angle) * sun.x - std::sin(angle) * sun.y,
@@ -218,7 +218,7 @@ protected:
             } else if (number < first_judged) {
                 continue;
             }
-            shader::FrameParams frame = params(shot);
+            vkpt::FrameDescription frame = params(shot);
             turn_sun(frame, number);
             frame.frame = static_cast<uint32_t>(number);
             frame.settings.pt_seed = seed;

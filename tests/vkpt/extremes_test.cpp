@@ -100,7 +100,7 @@ TEST_F(Extremes, CachesThatKnowNothing) {
     for (const int frames : {0, frames_to_learn}) {
         learn(dark, frames);
         radiance(lit); // its samples count in the next frame, which does not come
-        shader::FrameParams frame = params(lit);
+        vkpt::FrameDescription frame = params(lit);
         PictureBatches seen(cvars()->vid_width, cvars()->vid_height, 4);
         for (int batch = 0; batch < 12; ++batch) {
             frame.settings.pt_seed = 5000 + batch;
@@ -180,7 +180,7 @@ TEST_F(Extremes, FrameCountersOfYears) {
     Shot shot;
     shot.view = {{-192, 0, 64}, {50, 0, 0}, 60};
     radiance(shot);
-    shader::FrameParams frame = params(shot);
+    vkpt::FrameDescription frame = params(shot);
     // Random sequences where counters of 30 and of 32 bits end.
     const auto from = [&](uint32_t first) {
         PictureBatches seen(cvars()->vid_width, cvars()->vid_height, 4);

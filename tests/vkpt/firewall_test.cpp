@@ -86,7 +86,7 @@ TEST_F(Firewall, CountsShowsAndStopsWhatTheSkyBrings) {
         radiance(court());
         EXPECT_EQ(events(), 0u);
         EXPECT_EQ(marked(), 0u);
-        shader::FrameParams frame = params(court());
+        vkpt::FrameDescription frame = params(court());
         frame.settings.pt_view = shader::VIEW_NONFINITE;
         frame.sky_radiance = glm::vec3(planted);
         const std::vector<float> mean = trace(frame, 2);
@@ -120,7 +120,7 @@ TEST_F(Firewall, CachesLearnNothingOfIt) {
     set("pt_guide", "cdq");
     radiance(court());
     renderer().reset_guiding();
-    shader::FrameParams frame = params(court());
+    vkpt::FrameDescription frame = params(court());
     gpu::FrameCommands commands(renderer().device());
     for (uint32_t i = 0; i < 8; ++i) {
         adapt(commands);
@@ -192,7 +192,7 @@ TEST_F(Firewall, FiniteLightsWhoseSumsAreNot) {
 TEST_F(Firewall, MeansGoOnAndMarksStayWhileAccumulating) {
     load("opensky");
     radiance(court());
-    shader::FrameParams frame = params(court());
+    vkpt::FrameDescription frame = params(court());
     std::vector<double> sum;
     std::vector<float> mean;
     size_t bad = 0;

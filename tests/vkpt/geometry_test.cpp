@@ -330,7 +330,7 @@ TEST(Transform, QuakesAngles) {
 }
 
 TEST(Camera, FieldOfViewIsHorizontalAtFourToThree) {
-    shader::FrameParams params{};
+    vkpt::FrameDescription params{};
     refresh::View view;
     view.fov = 90.0f;
     set_camera(params, view, {640, 480});

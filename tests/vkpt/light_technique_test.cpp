@@ -76,7 +76,7 @@ protected:
         if (scene.door) scene.shot.entities[0].model = renderer().register_model("*1");
         learn(scene.shot, frames_to_learn);
         // The same primary hits for all: a ray may or may not stop at a window.
-        shader::FrameParams frame = params(scene.shot);
+        vkpt::FrameDescription frame = params(scene.shot);
         frame.frame = 1;
         trace(frame, 1);
         if (!pass_) pass_.emplace(light_technique_pass(renderer(), GetParam().technique));

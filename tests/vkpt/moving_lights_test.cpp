@@ -94,7 +94,7 @@ protected:
         set("pt_guide", "brdf");
         radiance(shot);
         std::vector<double> mean;
-        shader::FrameParams frame = params(shot);
+        vkpt::FrameDescription frame = params(shot);
         for (int i = 0; i < pictures; ++i) {
             frame.settings.pt_seed = 100000 + i;
             const std::vector<float> picture = trace(frame, static_cast<uint32_t>(paths));

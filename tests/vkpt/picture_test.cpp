@@ -103,7 +103,7 @@ TEST_F(PictureTest, AccumulationIsTheMeanOfItsFrames) {
     constexpr uint32_t frames = 6;
     std::vector<double> mean;
     for (uint32_t i = 0; i < frames; ++i) {
-        shader::FrameParams single = params(shot_);
+        vkpt::FrameDescription single = params(shot_);
         single.frame = 77 + i;
         const std::vector<float> seen = trace(single, 1);
         mean.resize(seen.size());
@@ -112,7 +112,7 @@ TEST_F(PictureTest, AccumulationIsTheMeanOfItsFrames) {
     }
     std::vector<float> running;
     for (uint32_t i = 0; i < frames; ++i) {
-        shader::FrameParams next = params(shot_);
+        vkpt::FrameDescription next = params(shot_);
         next.frame = 77 + i;
         next.accumulated = i;
         running = trace(next, 1);
@@ -121,7 +121,7 @@ TEST_F(PictureTest, AccumulationIsTheMeanOfItsFrames) {
         ASSERT_NEAR(running[k], mean[k], 1e-5 * mean[k] + 1e-7) << k;
 
     // Paths of one frame are those of as many frames: spp and frames number them alike.
-    shader::FrameParams at_once = params(shot_);
+    vkpt::FrameDescription at_once = params(shot_);
     at_once.frame = 0;
     const std::vector<float> together = trace(at_once, 4);
     std::vector<double> apart(together.size());
@@ -228,7 +228,7 @@ TEST_F(PictureTest, ARateThatIsReachedChangesNoPixel) {
 
 TEST_F(PictureTest, SameSeedSamePicture) {
     radiance(shot_);
-    shader::FrameParams frame = params(shot_);
+    vkpt::FrameDescription frame = params(shot_);
     const std::vector<float> once = trace(frame, 2), again = trace(frame, 2);
     EXPECT_EQ(once, again);
     frame.settings.pt_seed = 1;

@@ -127,7 +127,7 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
     PictureBatches result(cvars()->vid_width, cvars()->vid_height, block);
     set("pt_spp", "1");
     learn(shot, frames_to_learn);
-    shader::FrameParams frame = params(shot);
+    vkpt::FrameDescription frame = params(shot);
     for (int batch = 0; batch < batches; ++batch) {
         frame.settings.pt_seed = seed + batch;
         result.add(trace(frame, static_cast<uint32_t>(paths)));
@@ -138,7 +138,7 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
 void RenderTest::learn(const Shot& shot, int frames) {
     radiance(shot);
     if (!renderer().guided() && !renderer().technique()->learns()) return;
-    shader::FrameParams frame = params(shot);
+    vkpt::FrameDescription frame = params(shot);
     renderer().reset_guiding();
     gpu::FrameCommands commands(renderer().device());
     for (int i = 0; i <= frames; ++i) {
@@ -152,21 +152,21 @@ shader::GuidingWork RenderTest::adapt(gpu::FrameCommands& commands) {
     renderer().device().wait_idle();
     commands.begin();
     renderer().technique()->adapt(commands);
-    if (renderer().guided()) renderer().guiding().record(commands, 0);
+    if (renderer().guided()) renderer().guiding().record(commands, 0, false);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return renderer().guiding().statistics(0);
 }
 
-shader::FrameParams RenderTest::params(const Shot& shot) {
-    shader::FrameParams params{};
+vkpt::FrameDescription RenderTest::params(const Shot& shot) {
+    vkpt::FrameDescription params{};
     params.settings = gpu_settings(cvars().values());
     vkpt::set_camera(params, shot.view, renderer().buffers().size());
     vkpt::set_scene(params, *renderer().scene(), cvars().values(), shot.time_s);
     return params;
 }
 
-std::vector<float> RenderTest::trace(const shader::FrameParams& params, uint32_t paths,
+std::vector<float> RenderTest::trace(const vkpt::FrameDescription& params, uint32_t paths,
                                      LightSamples light_samples) {
     const auto technique = static_cast<Technique>(cvars()->pt_nee);
     return trace(params, {technique, renderer().compiled_features(), false, renderer().guide()},
@@ -174,7 +174,7 @@ std::vector<float> RenderTest::trace(const shader::FrameParams& params, uint32_t
                  light_samples == LightSamples::All && renderer().technique()->samples_lights());
 }
 
-std::vector<float> RenderTest::trace(const shader::FrameParams& params,
+std::vector<float> RenderTest::trace(const vkpt::FrameDescription& params,
                                      const vkpt::PathTracerVariant& variant, uint32_t paths,
                                      bool samples_lights) {
     const gpu::Device& device = renderer().device();

@@ -67,14 +67,14 @@ protected:
     static shader::GuidingWork adapt(gpu::FrameCommands& commands);
 
     /// Parameters of a frame as the renderer would make them, for `trace`.
-    static shader::FrameParams params(const Shot& shot);
+    static vkpt::FrameDescription params(const Shot& shot);
     /// Runs the path tracer's passes by themselves, as those of the frame that was rendered last,
     /// on its scene and bindings; returns its radiance.
     enum class LightSamples { All, Indirect }; // Indirect: none at primary hits
-    static std::vector<float> trace(const shader::FrameParams& params, uint32_t paths,
+    static std::vector<float> trace(const vkpt::FrameDescription& params, uint32_t paths,
                                     LightSamples light_samples = LightSamples::All);
     /// The same of any variant; `samples_lights` as the technique says.
-    static std::vector<float> trace(const shader::FrameParams& params,
+    static std::vector<float> trace(const vkpt::FrameDescription& params,
                                     const vkpt::PathTracerVariant& variant, uint32_t paths,
                                     bool samples_lights);
 

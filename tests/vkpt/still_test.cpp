@@ -87,10 +87,8 @@ protected:
         EXPECT_EQ(render(), unavoidable);
     }
 
-    // The number of the frame is among its parameters; the passes that learn count from zero.
-    inline static const gpu::ByteCounts unavoidable{
-        {"frame parameters", sizeof(shader::FrameParams)},
-        {"guiding work", sizeof(shader::GuidingWork)}};
+    // The passes that learn count from zero.
+    inline static const gpu::ByteCounts unavoidable{{"guiding work", sizeof(shader::GuidingWork)}};
     Shot shot_;
     std::vector<refresh::Particle> particles_;
     std::vector<refresh::Draw> draws_;
@@ -104,6 +102,52 @@ TEST_P(StillTest, NothingIsCopiedWhereNothingChanges) {
     EXPECT_TRUE(render().contains("instances"));
     for (int number = 1; number < 5; ++number)
         EXPECT_EQ(render(), unavoidable) << "frame " << number;
+}
+
+TEST_P(StillTest, LearningRestsUntilSomethingChanges) {
+    set("pt_rest_after", "40"); // beyond what may follow from the frames before
+    const auto learns = [&] { return render().contains("guiding work"); };
+    const auto fall_asleep = [&] {
+        for (int frame = 0; frame < 100; ++frame)
+            render();
+        while (learns() || learns())
+            ;
+    };
+    // What changes is of the frame in which it changes: the next one learns from its samples.
+    const auto expect_awake = [&] {
+        EXPECT_FALSE(learns());
+        for (int frame = 0; frame < 40; ++frame) {
+            EXPECT_TRUE(learns()) << "frame " << frame;
+            EXPECT_GT(renderer().guiding().statistics(0).samples, 0u);
+        }
+    };
+    fall_asleep();
+    // One frame of 31 stores samples, and the next one learns from them.
+    int count = 0;
+    for (int frame = 0; frame < 62; ++frame)
+        count += learns() ? 1 : 0;
+    EXPECT_EQ(count, 2);
+    fall_asleep();
+    EXPECT_EQ(render(), gpu::ByteCounts{}); // not a byte
+    fall_asleep();
+    shot_.view.angles.y += 1.0f;
+    expect_awake();
+    fall_asleep();
+    shot_.entities[0].origin.x += 1.0f;
+    expect_awake();
+    fall_asleep();
+    shot_.dark_styles = {0};
+    expect_awake();
+    fall_asleep();
+    renderer().reset_guiding();
+    EXPECT_TRUE(learns()); // the first octree
+    for (int frame = 0; frame < 40; ++frame)
+        EXPECT_TRUE(learns()) << "frame " << frame;
+    set("pt_rest_after", "0"); // never
+    for (int frame = 0; frame < 100; ++frame)
+        render();
+    for (int frame = 0; frame < 40; ++frame)
+        EXPECT_TRUE(learns()) << "frame " << frame;
 }
 
 TEST_P(StillTest, WhatChangesIsCopiedInItsFrame) {

@@ -7,7 +7,7 @@
 
 namespace vigil::vkpt {
 
-void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uvec2 size) {
+void set_camera(FrameDescription& params, const refresh::View& view, glm::uvec2 size) {
     const glm::mat3 axes = rotation_from_angles(view.angles);
     const float tan_vertical = view.fov_y > 0.0f
                                    ? std::tan(0.5f * glm::radians(view.fov_y))
@@ -22,7 +22,7 @@ void set_camera(shader::FrameParams& params, const refresh::View& view, glm::uve
     params.pixel_angle = 2.0f * tan_vertical / static_cast<float>(size.y);
 }
 
-void set_scene(shader::FrameParams& params, const Scene& scene, const refresh::Settings& settings,
+void set_scene(FrameDescription& params, const Scene& scene, const refresh::Settings& settings,
                double time_s) {
     const SkyDescription& sky = scene.sky();
     params.time_s = static_cast<float>(std::fmod(time_s, 4096.0)); // keeps its digits for days

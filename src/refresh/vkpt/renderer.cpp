@@ -204,7 +204,7 @@ void VkptRenderer::prepare_pipelines() {
 void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
     for_each_side([&](Side& side) {
         side.technique()->adapt(commands);
-        side.update_guiding(commands, slot);
+        side.update_guiding(commands, slot, still_);
     });
 }
 
@@ -293,8 +293,8 @@ GuideChoice VkptRenderer::guide() const {
     return choose_guide(static_cast<Guide>(settings_.pt_guide), settings_);
 }
 
-shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
-    shader::FrameParams params{};
+FrameDescription VkptRenderer::frame_params(const refresh::Frame& frame) {
+    FrameDescription params{};
     params.settings = gpu_settings(settings_);
     params.exposure_part = 1.0f;
     set_camera(params, frame.view, buffers_.size());
@@ -302,23 +302,25 @@ shader::FrameParams VkptRenderer::frame_params(const refresh::Frame& frame) {
     return params;
 }
 
-void VkptRenderer::update_accumulation(const shader::FrameParams& params) {
+void VkptRenderer::update_accumulation(const FrameDescription& params) {
     // The running mean goes on while nothing that the picture depends on has changed, and so does
-    // the view's. Frame counters are still zero in `params`; tone mapping and views come after the
-    // mean. Time only moves textures.
+    // the view's. Tone mapping and views come after the mean. Time only moves textures, which
+    // teaches guiding nothing.
     shader::FrameParams relevant = params;
-    if (!scene_->features().liquid && !scene_->features().animation) relevant.time_s = 0.0f;
+    const bool textures_move = scene_->features().liquid || scene_->features().animation;
+    const float time = textures_move ? params.time_s : 0.0f;
     relevant.settings = {}; // compared by what they affect
     const uint64_t more[] = {scene_->revision(), use_ray_query(settings_), split_column()};
     std::vector<std::byte> key(sizeof(relevant) + sizeof(more));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
-    const bool changed =
-        key != accumulation_key_ || !same_radiance(settings_, accumulation_settings_);
+    still_ = key == accumulation_key_ && same_radiance(settings_, accumulation_settings_);
+    const bool changed = !still_ || time != accumulation_time_;
     if (changed || settings_.pt_accumulate == 0) accumulated_ = 0;
     if (changed) view_accumulated_ = 0;
     accumulation_key_ = std::move(key);
     accumulation_settings_ = settings_;
+    accumulation_time_ = time;
 }
 
 uint64_t VkptRenderer::render(const refresh::Frame& frame) {
@@ -357,7 +359,7 @@ uint64_t VkptRenderer::draw(const refresh::Frame& frame, bool shown) {
     }
     commands.begin();
     if (traces) {
-        shader::FrameParams params = frame_params(frame);
+        FrameDescription params = frame_params(frame);
         update_accumulation(params);
         {
             const PassScope scope(commands, Pass::Upload);
@@ -404,9 +406,9 @@ uint64_t VkptRenderer::draw(const refresh::Frame& frame, bool shown) {
 }
 
 void VkptRenderer::record_picture(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
-                                  const shader::FrameParams& params, uint32_t paths) {
+                                  const FrameDescription& params, uint32_t paths) {
     const int view = params.settings.pt_view;
-    buffers_.upload(commands, params);
+    buffers_.describe(commands, params);
     path_tracer_.record(commands, sides, paths);
     if (view == shader::VIEW_CDQ) direction_map_.record(commands, sides, paths);
     if (params.filter_flags != 0) filter_.record(commands, sides, paths);

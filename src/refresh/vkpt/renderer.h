@@ -64,7 +64,7 @@ public:
     FrameBuffers& buffers() { return buffers_; }
     /// Records all from camera rays to the finished picture; bound and sized as the last frame was.
     void record_picture(gpu::FrameCommands& commands, std::span<const PictureSide> sides,
-                        const shader::FrameParams& params, uint32_t paths);
+                        const FrameDescription& params, uint32_t paths);
     Scene* scene() { return scene_.get(); }
     /// Those that shaders of the last frame were compiled for.
     SceneFeatures compiled_features() const { return scene_->compiled_features(settings_); }
@@ -111,8 +111,8 @@ private:
     void follow_trace_setting();
     void follow_environment_setting();
     bool prepare_ray_query();
-    shader::FrameParams frame_params(const refresh::Frame& frame);
-    void update_accumulation(const shader::FrameParams& params);
+    FrameDescription frame_params(const refresh::Frame& frame);
+    void update_accumulation(const FrameDescription& params);
     /// A frame, and whether it is presented.
     uint64_t draw(const refresh::Frame& frame, bool shown);
     void finish_slot(size_t slot);
@@ -162,6 +162,8 @@ private:
     uint32_t view_accumulated_ = 0;           // the same of the view's
     std::vector<std::byte> accumulation_key_; // what both depend on, with
     refresh::Settings accumulation_settings_;
+    float accumulation_time_ = 0.0f; // of moving textures; 0 where there are none
+    bool still_ = false;             // nothing else has changed since the frame before
     /// What the last frame showed, for reports.
     struct Shown {
         bool right = false; // the crosshair looked at the right side

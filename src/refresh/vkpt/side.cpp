@@ -24,8 +24,8 @@ void Side::prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
     guiding_.prepare(options);
 }
 
-void Side::update_guiding(gpu::FrameCommands& commands, size_t slot) {
-    if (guided()) guiding_.record(commands, slot);
+void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, bool still) {
+    if (guided()) guiding_.record(commands, slot, still);
 }
 
 } // namespace vigil::vkpt

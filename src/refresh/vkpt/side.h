@@ -33,7 +33,8 @@ public:
     void prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
                          const refresh::Settings& settings);
     /// Records the passes that bring the octree to that frame; after the technique's own adapt().
-    void update_guiding(gpu::FrameCommands& commands, size_t slot);
+    /// `still`: nothing has changed since the frame before.
+    void update_guiding(gpu::FrameCommands& commands, size_t slot, bool still);
 
     LightTechnique* technique() const { return technique_.get(); } ///< null before a level
     Technique id() const { return id_; }

@@ -137,7 +137,7 @@ void Filter::prepare_pipelines() {
     compose_.choose();
 }
 
-void Filter::describe(shader::FrameParams& params) {
+void Filter::describe(FrameDescription& params) {
     indirect_turn_ = on_ && halves_indirect_ ? shader::indirect_turn_of_frame(frame_, pixel_points)
                                              : shader::INDIRECT_ALL;
     if (!on_) {

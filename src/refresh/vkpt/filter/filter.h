@@ -29,7 +29,7 @@ public:
     void forget();
     /// Fills the filter's part of a frame's parameters, and takes its camera for the past of the
     /// next.
-    void describe(shader::FrameParams& params);
+    void describe(FrameDescription& params);
     /// Records the passes, if the frame that was described last is filtered.
     void record(gpu::FrameCommands& commands, std::span<const PictureSide> sides, uint32_t paths);
 
@@ -66,8 +66,8 @@ private:
     bool halves_indirect_ = false;
     uint32_t indirect_turn_ = shader::INDIRECT_ALL;
     bool has_past_ = false;
-    uint32_t frame_ = 0;         // counts filtered frames
-    shader::FrameParams last_{}; // of the frame before
+    uint32_t frame_ = 0;      // counts filtered frames
+    FrameDescription last_{}; // of the frame before
 };
 
 } // namespace vigil::vkpt

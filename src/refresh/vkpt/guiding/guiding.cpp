@@ -135,6 +135,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide
     options.settings.memory_rays = static_cast<uint32_t>(settings.pt_cdq_rays);
     options.settings.first_share = 1.0f - settings.pt_cdq_brdf;
     options.settings.adapt_share = static_cast<uint32_t>(settings.pt_cdq_adapt);
+    options.rest_after = static_cast<uint32_t>(settings.pt_rest_after);
     options.settings.weigh = static_cast<uint32_t>(settings.pt_vlc_weigh);
     options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
@@ -284,7 +285,7 @@ gpu::Buffer Guiding::make_caches(const shader::GuidingHeader& header) const {
     return caches;
 }
 
-void Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
+bool Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
     // The counts are as old as there are frames in flight. While the tree grows, it goes on as it
     // did.
     const double last = std::exchange(cache_words_before_, cache_words);
@@ -292,7 +293,7 @@ void Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
         last > 0.0 ? std::clamp(cache_words / last, 1.0, most_growth_of_caches) : 1.0;
     const double expected = cache_words * std::pow(growth, static_cast<double>(statistics_.size()));
     const double room = header_.vlc_capacity, most = header_.vlc_most;
-    if (8.0 * expected <= 7.0 * room || room == most) return;
+    if (8.0 * expected <= 7.0 * room || room == most) return false;
     shader::GuidingHeader larger = header_;
     larger.vlc_capacity =
         static_cast<uint32_t>(std::min(std::max({1.5 * cache_words, expected, 1.25 * room}), most));
@@ -307,28 +308,49 @@ void Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
     }
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
-    // A tree that starts anew uploads the header itself, and has no caches to keep.
-    if (!restart_) {
-        commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
+    if (!restart_) { // else there are no caches to keep
         const VkBufferCopy copy{0, 0, caches.at(current_).bytes()};
         vkCmdCopyBuffer(commands.commands(), caches.at(current_).handle(),
                         trees_.at(current_).caches.handle(), 1, &copy);
     }
     commands.keep(std::move(caches));
     commands.keep(std::move(sets));
+    return true;
 }
 
-void Guiding::record(gpu::FrameCommands& commands, size_t slot) {
-    if (counted_.at(slot)) {
-        const Needs needs = needs_of(statistics(slot));
-        worst_.nodes = std::max(worst_.nodes, needs.nodes);
-        worst_.samples = std::max(worst_.samples, needs.samples);
-        worst_.rays = std::max(worst_.rays, needs.rays);
-        worst_.cache_words = std::max(worst_.cache_words, needs.cache_words);
-        make_room(commands, needs.cache_words);
-    }
+bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
+    if (!counted_.at(slot)) return false;
+    const Needs needs = needs_of(statistics(slot));
+    worst_.nodes = std::max(worst_.nodes, needs.nodes);
+    worst_.samples = std::max(worst_.samples, needs.samples);
+    worst_.rays = std::max(worst_.rays, needs.rays);
+    worst_.cache_words = std::max(worst_.cache_words, needs.cache_words);
+    return make_room(commands, needs.cache_words);
+}
+
+/// Whether this frame stores no samples, as all that it could teach is known.
+bool Guiding::rests(bool still) {
+    // It is odd: neighbours take turns by frame, and so do indirect rays.
+    constexpr uint32_t learns_from_one_of = 31;
+    still_frames_ = still && !restart_ ? still_frames_ + 1 : 0;
+    return options_.rest_after > 0 && still_frames_ >= options_.rest_after &&
+           still_frames_ % learns_from_one_of != 0;
+}
+
+void Guiding::record(gpu::FrameCommands& commands, size_t slot, bool still) {
+    const uint32_t stores = rests(still) ? 0 : 1;
+    const uint32_t stored = std::exchange(header_.stores, stores);
+    const bool learns = stored != 0 || restart_;
+    const bool grown = learns && follow_needs(commands, slot);
+    if (restart_)
+        upload_start(commands);
+    else if (grown || stored != stores)
+        commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
+    if (learns) learn(commands, slot);
+}
+
+void Guiding::learn(gpu::FrameCommands& commands, size_t slot) {
     counted_.at(slot) = true;
-    if (restart_) upload_start(commands);
     shader::GuidingWork start{};
     start.deduplicate_groups = start.merge_groups = start.guide_groups =
         start.augment_groups = {0, 1, 1};

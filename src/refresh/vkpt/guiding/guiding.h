@@ -27,6 +27,7 @@ public:
         GuideChoice guide{};           // what learns directions
         bool lights = true;            // light samples are stored, and caches made of them
         uint32_t first_cache_part = 6; // room for one in so many of all caches at the start
+        uint32_t rest_after = 0;       // frames without a change; 0: never
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
@@ -46,8 +47,10 @@ public:
     /// samples. `corner` and `size` are the root's cube, in map units.
     void restart(const glm::vec3& corner, float size);
     /// Records the passes that make this frame's octree and caches from the samples of the frame
-    /// before. Afterwards set() is the new tree's. `slot` is that of the frame in flight.
-    void record(gpu::FrameCommands& commands, size_t slot);
+    /// before, if that stored any. Afterwards set() is the new tree's. `slot` is that of the frame
+    /// in flight. `still`: nothing has changed since the frame before. After
+    /// Options::rest_after such frames one of 31 stores samples.
+    void record(gpu::FrameCommands& commands, size_t slot, bool still);
     /// What the frame counted that was recorded last in `slot`; after its fence.
     shader::GuidingWork statistics(size_t slot) const;
 
@@ -93,8 +96,12 @@ private:
     Sets make_sets() const;
     gpu::Buffer make_caches(const shader::GuidingHeader& header) const;
     void bind(Tree& from, const Tree& to);
-    void make_room(gpu::FrameCommands& commands, uint32_t cache_words);
+    /// Both return whether there is more room now, so that the header is to be uploaded.
+    bool make_room(gpu::FrameCommands& commands, uint32_t cache_words);
+    bool follow_needs(gpu::FrameCommands& commands, size_t slot);
     void upload_start(gpu::FrameCommands& commands);
+    bool rests(bool still);
+    void learn(gpu::FrameCommands& commands, size_t slot);
 
     const gpu::Device& device_;
     gpu::Buffer unused_;
@@ -110,6 +117,7 @@ private:
     Needs worst_;
     uint32_t cache_words_before_ = 0; // asked for in the frame before the last known
     bool restart_ = true;
+    uint32_t still_frames_ = 0; // since something changed, or the octree began
 };
 
 } // namespace vigil::vkpt

@@ -5,6 +5,8 @@
 #include "shared/direction_map.h"
 #include "shared/filter_types.h"
 
+#include <cstring>
+
 namespace vigil::vkpt {
 
 namespace {
@@ -61,6 +63,14 @@ FrameBuffers::FrameBuffers(const gpu::Device& device, const gpu::DescriptorSet& 
     gpu::run_now(device, [&](VkCommandBuffer commands) {
         vkCmdFillBuffer(commands, counters_.handle(), 0, VK_WHOLE_SIZE, 0);
     });
+}
+
+void FrameBuffers::describe(gpu::FrameCommands& commands, const FrameDescription& frame) {
+    turn_ = frame;
+    const shader::FrameParams& params = frame;
+    if (copied_ && std::memcmp(&*copied_, &params, sizeof(params)) == 0) return;
+    copied_ = params;
+    commands.upload(frame_, 0, gpu::bytes_of_value(params));
 }
 
 void FrameBuffers::resize(glm::uvec2 picture, glm::uvec2 size, bool scales) {
@@ -135,7 +145,7 @@ FrameBuffers::SideInputs FrameBuffers::side(std::span<const PictureSide> sides, 
     const PictureSide& chosen = sides[side];
     return {{scene_set_.handle(), technique_sets_[side].handle(), chosen.guiding},
             {path, paths, chosen.first_column, chosen.end_column, chosen.samples_lights ? 1u : 0u,
-             chosen.guided ? 1u : 0u, 0u, chosen.indirect_turn}};
+             chosen.guided ? 1u : 0u, 0u, chosen.indirect_turn, turn_}};
 }
 
 } // namespace vigil::vkpt

@@ -4,11 +4,12 @@
 // 1 and 2 (shaders/shared/bindings.h).
 #pragma once
 
+#include "refresh/vkpt/pathtrace/frame_description.h"
 #include "refresh/vkpt/pathtrace/picture_side.h"
-#include "shared/frame_params.h"
 #include "shared/indirect_turn.h"
 
 #include <array>
+#include <optional>
 
 namespace vigil::vkpt {
 
@@ -29,10 +30,8 @@ public:
     /// Points the sets at the scene's and the techniques' buffers; `right` is that of the second
     /// side. The GPU must be idle.
     void bind(const Scene& scene, const LightTechnique& technique, const LightTechnique& right);
-    /// Records the copy of the frame's parameters.
-    void upload(gpu::FrameCommands& commands, const shader::FrameParams& params) const {
-        commands.upload(frame_, 0, gpu::bytes_of_value(params));
-    }
+    /// Describes the next frame. Records the copy of its parameters, if they have changed.
+    void describe(gpu::FrameCommands& commands, const FrameDescription& frame);
 
     /// What a dispatch for one side reads: the sets, and whose path it traces (PassConstants).
     struct SideInputs {
@@ -79,6 +78,8 @@ private:
     const gpu::Device& device_;
     glm::uvec2 size_{0, 0}, most_traced_{0, 0}, picture_size_{0, 0};
     bool scales_ = false;
+    std::optional<shader::FrameParams> copied_; // what frame_ has
+    shader::FrameTurn turn_{};
     gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
         display_, toned_, ltc_, direction_map_, filter_input_;
     gpu::DescriptorSet scene_set_;

@@ -24,7 +24,7 @@ void Post::bind() {
     upscale_set_.bind(BINDING_UPSCALE_DISPLAY, buffers_.display());
 }
 
-void Post::describe(shader::FrameParams& params, float exposure_speed) {
+void Post::describe(FrameDescription& params, float exposure_speed) {
     constexpr float most_seconds = 1.0f; // between frames, in which eyes get used to light at all
     const float passed = params.time_s - last_time_s_;
     last_time_s_ = params.time_s;

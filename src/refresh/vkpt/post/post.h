@@ -16,7 +16,7 @@ public:
     void bind();
 
     /// Fills the exposure's part of a frame's parameters, behind the filter's.
-    void describe(shader::FrameParams& params, float exposure_speed);
+    void describe(FrameDescription& params, float exposure_speed);
     /// Has the pipelines made that record() will need for these sides; `view` is pt_view.
     void prepare(std::span<const PictureSide> sides, int view);
     /// Records the passes. Mean and exposure are the whole picture's.
