@@ -89,13 +89,14 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bo
     return value;
 }
 
-/// A number in [0, 1) that the eight invocations of a work group's row have in common, for each of a path's vertices (0 is the primary hit) another.
-/// What only some pixels do is done by whole rows, a subgroup or a part of one, so that few lanes wait. Larger groups would be seen as blocks.
-float row_number(uint vertex) {
-    // A stream that no pixel has.
-    Random random = path_random(uvec2(0x10000u, 0u) + gl_GlobalInvocationID.xy / uvec2(8u, 1u), STREAM_DIRECT);
+/// A number in [0, 1) that the invocations of a subgroup have in common, for each of a path's vertices (0 is the primary hit) another. What only some
+/// pixels do is done by whole subgroups, so that no lanes wait; these are rows of a work group. Neighbours' numbers lie far apart, so that everywhere
+/// in the picture as many do it as should: the R2 sequence (Roberts 2018), shifted for each path by a random number, in 32 bits.
+float subgroup_number(uint vertex) {
+    Random random = path_random(uvec2(0x10000u, 0u), STREAM_DIRECT); // a stream that no pixel has
     random.dimension = vertex;
-    return random_next(random);
+    const uvec2 subgroup = gl_GlobalInvocationID.xy / uvec2(8u, clamp(gl_SubgroupSize / 8u, 1u, 8u));
+    return unit_float(random_next_words(random).x + 3242174889u * subgroup.x + 2447445414u * subgroup.y);
 }
 
 /// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the
@@ -118,7 +119,7 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
         const float wanted = vertex > 0u && !ray_follows ? BESIDE_INDIRECT * choice.beside : choice.beside;
-        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(row_number(vertex) < wanted)) break;
+        if (DRAWS_BESIDE == 0 || beside > 0.0 || !(subgroup_number(vertex) < wanted)) break;
         beside = wanted;
     }
     return direct;

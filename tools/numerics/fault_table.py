@@ -323,7 +323,7 @@ FAULTS = [
     Fault("mixture of vlc: 4% too few draws from the cache", "shaders/light/vlc.glsl",
           "u.x - shares.cache; // below 0: the cache", "u.x - 0.96 * shares.cache; // below 0: the cache", TECHNIQUE, "*KeepsItsPromises/vlc_FourAtMostWithoutLists"),
     Fault("what vlc draws beside the cache is drawn 4% too rarely", "shaders/pathtrace/next_event.glsl",
-          "!(row_number(vertex) < wanted)", "!(row_number(vertex) < 0.96 * wanted)",
+          "!(subgroup_number(vertex) < wanted)", "!(subgroup_number(vertex) < 0.96 * wanted)",
           EXTREMES, "Extremes.CachesThatKnowNothing"),
     Fault("vlc: the table keeps lights that the cache has", "shaders/light/vlc.glsl",
           "if (probability > 0.0 && !(beside > 0.0 && cached)) choice", "if (probability > 0.0) choice",
