@@ -8,11 +8,11 @@
 #include "pathtrace/path.glsl"
 #include "pathtrace/indirect_ray.glsl"
 
-/// `weight` is what the ray's radiance is multiplied with.
-void learn_direction(Guided guided, vec3 weight, vec3 brought) {
+/// `brought` is the luminance that the ray brought to its surface's viewer.
+void learn_direction(Guided guided, float brought) {
     if (GUIDES == 0 || path_index != 0u) return;
     // Brighter than a sample can say is as bright as it can.
-    const float estimate = min(luminance(finite_or_zero(weight * brought)), 1e15);
+    const float estimate = min(finite_or_zero(brought), 1e15);
     const float contribution = guided.pdf > 0.0 ? finite_or_zero(estimate * sqrt(guided.pdf)) : 0.0;
     if (contribution > 0.0)
         store_ray_sample(guided.leaf, uvec2(ray_sample_pack(guided.grid, contribution), pack_sums(estimate * estimate, guided.part)));
@@ -24,10 +24,9 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
     light = NONE;
     vec3 gathered = vec3(0.0);
     vec3 throughput = vec3(1.0);
-    // Of the first ray: what it brings grows with what the second finds.
+    // Of the first ray: what it brings grows with what others find. Little is kept while rays are traced: graphics cards trace more at once then.
     Guided first;
-    vec3 first_weight = vec3(0.0);
-    vec3 first_brought = vec3(0.0);
+    float first_brought = 0.0;
     bool sent = false;
     const int bounces = frame.settings.pt_bounces;
     for (int depth = 0; depth <= bounces; ++depth) {
@@ -37,7 +36,7 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
         vec3 weight;
         Guided guided;
         if (!scatter(surface, random, weight, ray, guided)) {
-            learn_direction(guided, weight, vec3(0.0));
+            learn_direction(guided, 0.0);
             break;
         }
         throughput *= weight;
@@ -48,18 +47,16 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
         // Learn from it.
         if (depth == 0) {
             first = guided;
-            first_weight = weight;
-            first_brought = end.taught;
             sent = true;
             light = end.light;
         } else {
-            first_brought += weight * end.taught;
-            learn_direction(guided, weight, end.taught);
+            learn_direction(guided, luminance(weight * end.taught));
         }
+        first_brought += luminance(throughput * end.taught);
         if (!end.goes_on) break;
         surface = end.surface;
     }
-    if (sent) learn_direction(first, first_weight, first_brought);
+    if (sent) learn_direction(first, first_brought);
     return gathered;
 }
 

@@ -23,17 +23,24 @@ SHADER_FN uint cdq_leaf_count(uint bits) { return 3u * bits / 4u + 1u; }
 /// Inner nodes of every tree, which are the ones of its field; the root is not counted.
 SHADER_FN uint cdq_inner_count(uint bits) { return bits / 4u - 1u; }
 
-/// Ones in the bits below `end`, of all four words.
-SHADER_FN uvec4 cdq_mask_below(uint end) {
-    uvec4 mask;
-    for (uint word = 0u; word < 4u; ++word) {
-        const uint first = 32u * word;
-        mask[word] = end >= first + 32u ? 0xffffffffu : end > first ? (1u << (end - first)) - 1u : 0u;
-    }
-    return mask;
+/// Ones in the bits below `end` of the word that begins at bit `first`.
+SHADER_FN uint cdq_word_below(uint end, uint first) {
+    return end >= first + 32u ? 0xffffffffu : end > first ? (1u << (end - first)) - 1u : 0u;
 }
 
-SHADER_FN bool cdq_is_inner(uvec4 tree, uint node) { return ((tree[node >> 5u] >> (node & 31u)) & 1u) != 0u; }
+/// Ones in the bits below `end`, of all four words.
+SHADER_FN uvec4 cdq_mask_below(uint end) {
+    return uvec4(cdq_word_below(end, 0u), cdq_word_below(end, 32u), cdq_word_below(end, 64u), cdq_word_below(end, 96u));
+}
+
+/// Word 0..3 of a field: graphics cards keep what is indexed by a variable in memory.
+SHADER_FN uint cdq_word(uvec4 field, uint word) {
+    const uint low = (word & 1u) == 0u ? field.x : field.y;
+    const uint high = (word & 1u) == 0u ? field.z : field.w;
+    return word < 2u ? low : high;
+}
+
+SHADER_FN bool cdq_is_inner(uvec4 tree, uint node) { return ((cdq_word(tree, node >> 5u) >> (node & 31u)) & 1u) != 0u; }
 
 /// Number of ones below bit `node`.
 SHADER_FN uint cdq_rank(uvec4 tree, uint node) {
@@ -57,13 +64,13 @@ SHADER_FN uint cdq_select_in_word(uint word, uint rank) {
 
 /// Position of the one with `rank` ones below it; the field must have more than `rank` of them.
 SHADER_FN uint cdq_select(uvec4 field, uint rank) {
-    uint word = 0u;
-    for (; word < 3u; ++word) {
-        const uint ones = uint(bitCount(field[word]));
-        if (rank < ones) break;
-        rank -= ones;
-    }
-    return 32u * word + cdq_select_in_word(field[word], rank);
+    // Ones up to the end of each word.
+    const uint x = uint(bitCount(field.x));
+    const uint y = x + uint(bitCount(field.y));
+    const uint z = y + uint(bitCount(field.z));
+    const uint word = rank < x ? 0u : rank < y ? 1u : rank < z ? 2u : 3u;
+    const uint before = word == 0u ? 0u : word == 1u ? x : word == 2u ? y : z;
+    return 32u * word + cdq_select_in_word(cdq_word(field, word), rank - before);
 }
 
 /// Child 0..3 of an inner node: bit 0 is the upper half in u, bit 1 in v.
