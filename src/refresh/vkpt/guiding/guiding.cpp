@@ -64,6 +64,14 @@ uint32_t scaled(int threshold, double factor, uint32_t least) {
                     least);
 }
 
+/// What the passes start from: nothing is counted.
+shader::GuidingWork first_work() {
+    shader::GuidingWork work{};
+    work.deduplicate_groups = work.merge_groups = work.guide_groups =
+        work.augment_groups = {0, 1, 1};
+    return work;
+}
+
 } // namespace
 
 Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, size_t slots)
@@ -72,6 +80,8 @@ Guiding::Guiding(const gpu::Device& device, gpu::PipelineCompiler& compiler, siz
                      "guiding header"),
       work_(device, sizeof(shader::GuidingWork), gpu::MemoryUse::Device, "guiding work",
             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT),
+      first_work_(
+          gpu::make_buffer(device, gpu::bytes_of_value(first_work()), "first guiding work")),
       mark_(Pass::OctreeMark, compiler, layout_),
       deduplicate_(Pass::VlcDeduplicate, compiler, layout_),
       merge_(Pass::VlcMerge, compiler, layout_), guide_(Pass::GuideAdapt, compiler, layout_),
@@ -351,10 +361,8 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, bool still) {
 
 void Guiding::learn(gpu::FrameCommands& commands, size_t slot) {
     counted_.at(slot) = true;
-    shader::GuidingWork start{};
-    start.deduplicate_groups = start.merge_groups = start.guide_groups =
-        start.augment_groups = {0, 1, 1};
-    commands.upload(work_, 0, gpu::bytes_of_value(start));
+    const VkBufferCopy whole{0, 0, sizeof(shader::GuidingWork)};
+    vkCmdCopyBuffer(commands.commands(), first_work_.handle(), work_.handle(), 1, &whole);
     const VkDescriptorSet set = trees_[current_].passes.handle();
     const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(options_.settings)};
     const gpu::WorkGroups nodes{{(header_.node_capacity + 63) / 64, 1, 1}};
@@ -375,8 +383,7 @@ void Guiding::learn(gpu::FrameCommands& commands, size_t slot) {
 
     const VkCommandBuffer buffer = commands.commands();
     gpu::barrier(buffer, gpu::access_of_shaders, gpu::access_of_copies);
-    const VkBufferCopy copy{0, 0, sizeof(shader::GuidingWork)};
-    vkCmdCopyBuffer(buffer, work_.handle(), statistics_[slot].handle(), 1, &copy);
+    vkCmdCopyBuffer(buffer, work_.handle(), statistics_[slot].handle(), 1, &whole);
     gpu::barrier(buffer, gpu::access_of_copies, gpu::access_of_host);
     current_ = 1 - current_;
 }

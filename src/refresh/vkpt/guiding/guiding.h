@@ -107,7 +107,7 @@ private:
     gpu::Buffer unused_;
     std::array<Tree, 2> trees_;
     size_t current_ = 0;
-    gpu::Buffer header_buffer_, plan_, samples_, rays_, lists_, work_;
+    gpu::Buffer header_buffer_, plan_, samples_, rays_, lists_, work_, first_work_;
     std::vector<gpu::Buffer> statistics_;
     std::vector<bool> counted_;  // statistics of a slot are of the buffers that there are
     gpu::PipelineLayout layout_; // of the passes
