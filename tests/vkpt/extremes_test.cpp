@@ -42,25 +42,29 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
     // Unbiased (convergence_test.cpp), and far less noisy than brute force.
     set("pt_nee", "lh");
     const PictureBatches reference = batches(shot, 16, 64, 1000, 4);
-    const Settings rows[] = {
-        {{"pt_nee", "vlc"}, {"pt_vlc_explore", "1"}, {"pt_explore_local", "1"}},
-        {{"pt_vlc_beside", "0"}},
-        {{"pt_explore_local", "0"}},
-        {{"pt_vlc_beside", "1"}},
-        {{"pt_vlc_explore", "0.05"}, {"pt_explore_local", "1"}},
-        {{"pt_explore_local", "0"}, {"pt_vlc_adapt", "0"}},
-        {{"pt_explore_local", "0.8"},
-         {"pt_guide", "cdq"},
-         {"pt_cdq_adapt", "0"},
-         {"pt_cdq_brdf", "1"}},
-        {{"pt_cdq_brdf", "0"}},
-        {{"pt_cdq_adapt", "1"}},
-        {{"pt_cdq_margin", "0"}, {"pt_vlc_hysteresis", "0"}},
-        {{"pt_cdq_margin", "1"}, {"pt_vlc_hysteresis", "1"}},
+    const auto expect = [&](const std::vector<Settings>& rows, int paths) {
+        for (const Settings& row : rows)
+            expect_equal_means(shot, reference, row, {.everywhere = 0.012, .five_blocks = 0.12},
+                               paths);
     };
-    // What is found seldom is skewed, and takes many paths.
-    for (const Settings& row : rows)
-        expect_equal_means(shot, reference, row, {.everywhere = 0.012, .five_blocks = 0.12}, 64);
+    expect({{{"pt_nee", "vlc"}, {"pt_vlc_explore", "1"}, {"pt_explore_local", "1"}},
+            {{"pt_vlc_beside", "0"}},
+            {{"pt_explore_local", "0"}},
+            {{"pt_vlc_beside", "1"}},
+            {{"pt_vlc_explore", "0.05"}, {"pt_explore_local", "1"}}},
+           64);
+    // What is found seldom, as by a twentieth of draws among all lights, is skewed, and takes many
+    // paths.
+    expect({{{"pt_explore_local", "0"}, {"pt_vlc_adapt", "0"}}}, 512);
+    expect({{{"pt_explore_local", "0.8"},
+             {"pt_guide", "cdq"},
+             {"pt_cdq_adapt", "0"},
+             {"pt_cdq_brdf", "1"}},
+            {{"pt_cdq_brdf", "0"}},
+            {{"pt_cdq_adapt", "1"}},
+            {{"pt_cdq_margin", "0"}, {"pt_vlc_hysteresis", "0"}},
+            {{"pt_cdq_margin", "1"}, {"pt_vlc_hysteresis", "1"}}},
+           64);
     record("shares", "pt_vlc_explore 1, pt_explore_local 0 and 1", "mean that of lh");
     record(
         "shares",
