@@ -36,8 +36,7 @@ PointChoice choose_point(Surface surface, Light light, vec2 u, float v) {
     const int points = is_sun(light) ? 1 : frame.settings.pt_light_points;
     Reservoir reservoir = new_reservoir(v);
     for (int i = 0; i < points; ++i) {
-        // Steps of the R2 sequence (Roberts 2018).
-        const vec2 place = fract(u + float(i) * vec2(0.7548776662, 0.5698402910));
+        const vec2 place = fract(u + float(i) * (vec2(R2_STEPS) / 4294967296.0));
         LightSample seen;
         if (is_sun(light)) seen = sample_sun(place);
         else seen = sample_light_glossy(light, near, surface.origin, surface.normal, surface.view, surface.brdf, share, place);
@@ -91,12 +90,13 @@ vec3 sampled_radiance(Surface surface, LightChoice choice, vec3 u, uint seed, bo
 
 /// A number in [0, 1) that the invocations of a subgroup have in common, for each of a path's vertices (0 is the primary hit) another. What only some
 /// pixels do is done by whole subgroups, so that no lanes wait; these are rows of a work group. Neighbours' numbers lie far apart, so that everywhere
-/// in the picture as many do it as should: the R2 sequence (Roberts 2018), shifted for each path by a random number, in 32 bits.
+/// in the picture as many do it as should. For each path they are shifted by a random number.
 float subgroup_number(uint vertex) {
     Random random = path_random(uvec2(0x10000u, 0u), STREAM_DIRECT); // a stream that no pixel has
     random.dimension = vertex;
     const uvec2 subgroup = gl_GlobalInvocationID.xy / uvec2(8u, clamp(gl_SubgroupSize / 8u, 1u, 8u));
-    return unit_float(random_next_words(random).x + 3242174889u * subgroup.x + 2447445414u * subgroup.y);
+    const uvec2 steps = subgroup * R2_STEPS;
+    return unit_float(random_next_words(random).x + steps.x + steps.y);
 }
 
 /// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the

@@ -111,5 +111,9 @@ SHADER_FN uvec2 random_next_bits(INOUT(Random) random) {
     return uvec2(words.x, words.y ^ words.z);
 }
 
+/// Steps of the R2 sequence (Roberts 2018), in parts of 2^32: multiples of them fill the unit square
+/// evenly, and sums of one multiple of each the unit interval.
+SHADER_CONST uvec2 R2_STEPS = uvec2(3242174889u, 2447445414u);
+
 SHADER_END
 #endif

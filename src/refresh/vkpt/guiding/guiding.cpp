@@ -339,16 +339,16 @@ bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
 }
 
 /// Whether this frame stores no samples, as all that it could teach is known.
-bool Guiding::rests(bool still) {
+bool Guiding::rests() const {
     // It is odd: neighbours take turns by frame, and so do indirect rays.
     constexpr uint32_t learns_from_one_of = 31;
-    still_frames_ = still && !restart_ ? still_frames_ + 1 : 0;
     return options_.rest_after > 0 && still_frames_ >= options_.rest_after &&
            still_frames_ % learns_from_one_of != 0;
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot, bool still) {
-    const uint32_t stores = rests(still) ? 0 : 1;
+    still_frames_ = still && !restart_ ? still_frames_ + 1 : 0;
+    const uint32_t stores = rests() ? 0 : 1;
     const uint32_t stored = std::exchange(header_.stores, stores);
     const bool learns = stored != 0 || restart_;
     const bool grown = learns && follow_needs(commands, slot);

@@ -100,7 +100,7 @@ private:
     bool make_room(gpu::FrameCommands& commands, uint32_t cache_words);
     bool follow_needs(gpu::FrameCommands& commands, size_t slot);
     void upload_start(gpu::FrameCommands& commands);
-    bool rests(bool still);
+    bool rests() const;
     void learn(gpu::FrameCommands& commands, size_t slot);
 
     const gpu::Device& device_;
