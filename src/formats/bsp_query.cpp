@@ -9,6 +9,27 @@
 
 namespace vigil {
 
+namespace {
+
+bool is_clear(const Bsp& bsp, int32_t child, glm::vec3 from, const glm::vec3& to) {
+    while (child >= 0) {
+        const BspNode& node = bsp.nodes[static_cast<size_t>(child)];
+        const BspPlane& plane = bsp.planes[node.plane];
+        const float before = glm::dot(plane.normal, from) - plane.dist;
+        const float after = glm::dot(plane.normal, to) - plane.dist;
+        const bool behind = before < 0.0f;
+        child = node.children[behind ? 1 : 0];
+        if (behind == (after < 0.0f)) continue;
+        const glm::vec3 middle = from + (to - from) * (before / (before - after));
+        if (!is_clear(bsp, child, from, middle)) return false;
+        from = middle;
+        child = node.children[behind ? 0 : 1];
+    }
+    return (bsp.leafs[static_cast<size_t>(-1 - child)].contents & CONTENTS_SOLID) == 0;
+}
+
+} // namespace
+
 std::vector<glm::vec3> face_polygon(const Bsp& bsp, const BspFace& face) {
     std::vector<glm::vec3> polygon(face.edge_count);
     for (uint32_t i = 0; i < face.edge_count; ++i) {
@@ -47,6 +68,10 @@ uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode) {
 
 int32_t cluster_at(const Bsp& bsp, const glm::vec3& point) {
     return bsp.leafs[leaf_at(bsp, point)].cluster;
+}
+
+bool is_clear_line(const Bsp& bsp, const glm::vec3& from, const glm::vec3& to) {
+    return is_clear(bsp, bsp.models.front().headnode, from, to);
 }
 
 std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo) {

@@ -29,6 +29,9 @@ uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode);
 /// Cluster of the world's leaf at a point, -1 in solid space and outside.
 int32_t cluster_at(const Bsp& bsp, const glm::vec3& point);
 
+/// Whether nothing solid of the world's tree lies between two points. Brush models are not in it.
+bool is_clear_line(const Bsp& bsp, const glm::vec3& from, const glm::vec3& to);
+
 /// Texinfos of the animation that starts at `texinfo`: itself first, then along `next` until the
 /// chain ends or closes (parse_bsp refuses longer ones than bsp_max_animation). A length of 1 means
 /// no animation. Quake II shows two frames per second.

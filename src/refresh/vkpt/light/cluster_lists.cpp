@@ -2,7 +2,10 @@
 #include "refresh/vkpt/light/cluster_lists.h"
 
 #include "common/log.h"
+#include "formats/bsp.h"
+#include "refresh/vkpt/light/list_sight.h"
 #include "refresh/vkpt/scene/light_set.h"
+#include "shared/guiding_types.h"
 
 #include <algorithm>
 #include <utility>
@@ -62,7 +65,7 @@ LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char
         log_warning(
             "{}: light lists of {} {} lights in {} clusters {}; all clusters share the list "
             "of all lights, and the picture is noisier",
-            lister_.level_name(), lights.size(), which, lister_.cluster_count(), lists.refused);
+            lister_.bsp().name, lights.size(), which, lister_.cluster_count(), lists.refused);
     return lists;
 }
 
@@ -72,11 +75,13 @@ bool ClusterLists::prepare(const LightSet& lights) {
         sun_revision_ = lights.sun_revision();
         const LightLists lists = build(static_triangles(lights), "static", static_warned_);
         static_pairs_ = lists.pair_count;
+        sight_ = sight_of(lists, lights);
         renewed |= static_.set(lists);
     }
     if (revision_ != lights.moving_revision()) {
         revision_ = lights.moving_revision();
         const std::vector<LightTriangle> moving = moving_triangles(lights);
+        moving_count_ = moving.size();
         const LightLists lists = build(moving, "moving", moving_warned_);
         moving_pairs_ = lists.pair_count;
         renewed |= moving_.set(lists);
@@ -85,6 +90,18 @@ bool ClusterLists::prepare(const LightSet& lights) {
         renewed |= counts_.set(std::as_bytes(std::span(counts)));
     }
     return renewed;
+}
+
+ClusterLists::Sight ClusterLists::sight_of(const LightLists& lists, const LightSet& lights) const {
+    Sight sight;
+    for (size_t cluster = 0; cluster < lister_.cluster_count(); ++cluster)
+        sight.longest = std::max(sight.longest, lists.ranges[cluster].count);
+    const auto lamps = lights.lights().first(lights.static_count());
+    const bool sky =
+        std::ranges::any_of(lamps, [](const shader::Light& l) { return l.flags != 0; });
+    if (sight.longest <= shader::VLC_LARGEST_BUCKET && !sky)
+        sight.seen = part_in_sight(lister_.bsp(), lists, lamps);
+    return sight;
 }
 
 void ClusterLists::upload(gpu::FrameCommands& commands) {

@@ -246,10 +246,6 @@ uint64_t LightLister::add_visibility(const LightTriangle& light, std::span<const
     return steps;
 }
 
-std::string_view LightLister::level_name() const {
-    return bsp_.name;
-}
-
 LightLists LightLister::build(std::span<const LightTriangle> lights,
                               const LightListLimits& limits) const {
     LightLists lists;

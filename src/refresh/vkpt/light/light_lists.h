@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace vigil {
@@ -75,8 +74,7 @@ public:
     LightLists build(std::span<const LightTriangle> lights,
                      const LightListLimits& limits = {}) const;
 
-    /// The file of the level, for messages.
-    std::string_view level_name() const;
+    const Bsp& bsp() const { return bsp_; }
 
 private:
     struct Box {
