@@ -148,6 +148,18 @@ function(vigil_test_narrow)
     "LP_NATIVE_VECTOR_WIDTH=128" "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-cache128")
 endfunction()
 
+# vigil_test_all_features(NAMES): these tests again, as NAME_all, with shaders for everything that a scene may have, by
+# `./run test long` only. In all other runs a level's shaders have what it has.
+function(vigil_test_all_features)
+  if(VIGIL_SANITIZE)
+    return()
+  endif()
+  foreach(name IN LISTS ARGV)
+    add_test(NAME ${name}_all COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
+    set_tests_properties(${name}_all PROPERTIES LABELS long TIMEOUT 3600 ENVIRONMENT "VIGIL_TEST_FEATURES=all")
+  endforeach()
+endfunction()
+
 # vigil_test_subgroups(NAME): the test again at each other subgroup size that lavapipe can have, by `./run test long` only.
 # Other drivers ignore the variables; the shader cache would hand out code of another size. Not under sanitizers: the
 # host does the same each time.
