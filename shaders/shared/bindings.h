@@ -48,6 +48,7 @@
 #define CONSTANT_VIEW 14        // pt_view is on: post/tonemap.comp
 #define CONSTANT_ANY_HIT 15     // of a benchmark: trace/trace_rays.comp
 #define CONSTANT_ENVIRONMENT 16 // sky and sun are sampled as lights: scene/frame.glsl
+#define CONSTANT_CACHES 17      // light/vlc.glsl
 
 // Which of these buffers a technique has is its business (shaders/light/NAME.glsl).
 #define BINDING_SHADOW_STATISTICS 0 // light/shadow_statistics.glsl; the pass of that name has it as well, alone in set 0

@@ -18,7 +18,8 @@
     ROW(animation,   CONSTANT_ANIMATION)   /* animated textures */ \
     ROW(lights,      CONSTANT_LIGHTS) \
     ROW(effects,     CONSTANT_EFFECTS)     /* some model fades, glows, is a sprite or hidden from some rays */ \
-    ROW(environment, CONSTANT_ENVIRONMENT) /* sky and sun are sampled as lights */
+    ROW(environment, CONSTANT_ENVIRONMENT) /* sky and sun are sampled as lights */ \
+    ROW(caches,      CONSTANT_CACHES)      /* `vlc`: lists of lights do not suffice */
 // clang-format on
 
 #ifdef __cplusplus
@@ -57,8 +58,8 @@ inline constexpr auto scene_feature_rows = std::to_array<SceneFeatureRow>({
 });
 
 /// Whether a value of `pt_features` asks for this one.
-constexpr bool forces_feature(int choice, const SceneFeatureRow& row) {
-    return choice == 1 || (choice > 1 && scene_feature_rows.at(choice - 2).member == row.member);
+constexpr bool forces_feature(int choice, bool SceneFeatures::*member) {
+    return choice == 1 || (choice > 1 && scene_feature_rows.at(choice - 2).member == member);
 }
 
 } // namespace vkpt

@@ -91,6 +91,8 @@
         "Octree: Factor on both thresholds. They also follow the number of pixels.") \
     INTEGER(pt_rest_after, Archived, Reference, 128, 0, 1000000, \
         "Guiding: Frames without any change after which it learns from one frame of 31 only. 0: from each, as in the paper.") \
+    INTEGER(pt_learn_every, Archived, Reference, 4, 1, 16, \
+        "Guiding: Of up to so many frames one is learned from, where it has far more samples than caches have lights. 1: each, as in the paper.") \
     GPU_INTEGER(pt_vlc_bucket, Archived, Reference, 32, 1, 64, \
         "vlc: Most lights weighted per hit. Caches with more lights have several buckets.") \
     GPU_REAL(pt_vlc_explore, Archived, Reference, 0.03, 0.0, 1.0, \
@@ -101,6 +103,8 @@
         "vlc: 1: More samples look for lights where they find much that the cache lacks. 0: The share is the same everywhere, as in the paper.") \
     INTEGER(pt_vlc_weigh, Archived, Reference, 1, 0, 1, \
         "vlc: 1: Buckets are drawn by what draws from them brought. 0: evenly, as in the paper.") \
+    REAL(pt_vlc_enough, Archived, Reference, 0.9, 0.0, 1.0, \
+        "vlc: Levels where a bucket holds every cluster's list, and so much of its light is in sight, need no caches. 0: all do, as in the paper.") \
     REAL(pt_vlc_hysteresis, Session, Reference, 0.75, 0.0, 1.0, \
         "vlc: Buckets must be emptier than this share before their number falls.") \
     INTEGER(pt_vlc_merge, Session, Reference, 1, 0, 1, \

@@ -41,6 +41,8 @@ const std::vector<Sweep>& sweeps() {
         // What the paper calls threshold; nodes collapse at half of it.
         {"pt_oct_split", "vlc", {"256", "512", "1024", "2048", "8192"}, "pt_oct_collapse", 0.5},
         {"pt_vlc_bucket", "vlc", {"8", "16", "64"}},
+        {"pt_learn_every", "vlc", {"1", "2", "8"}},
+        {"pt_vlc_enough", "vlc", {"0"}},
         // Of itself, as the paper: pt_vlc_adapt 0.
         {"pt_vlc_explore", "vlc", {"0.01", "0.1", "0.2", "0.5"}},
         {"pt_vlc_beside", "vlc", {"0"}},

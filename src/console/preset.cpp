@@ -18,6 +18,8 @@ constexpr Departure departures[] = {
     {"pt_light_points", "1"},     // section 7: plain area sampling
     {"pt_light_density", "area"}, // the same
     {"pt_rest_after", "0"},       // section 6: the octree is made anew in every frame
+    {"pt_learn_every", "1"},      // the same
+    {"pt_vlc_enough", "0"},       // section 4: caches everywhere
     {"pt_vlc_explore", "0.1"},    // section 7
     {"pt_vlc_beside", "0"},       // algorithm 1: exploring samples take the place of others
     {"pt_vlc_adapt", "0"},        // section 8: a fixed fraction

@@ -69,7 +69,7 @@ TEST(ReportText, Guiding) {
     refresh::GuidingReport guiding;
     guiding.technique = Technique::lh;
     EXPECT_EQ(guiding_text(guiding),
-              "Guiding was off in the last frame. pt_nee lh learns nothing.");
+              "Guiding was off in the last frame: pt_nee lh needs none. `scene` says why.");
     guiding.on = true;
     guiding.memory = {{"octree nodes, twice", 1 << 20}, {"light samples", 4 << 20}};
     guiding.bytes = 5 << 20;
@@ -149,7 +149,7 @@ TEST(ReportText, LightCache) {
               "There is no surface under the crosshair: sky, or the inside of a wall.");
     report.on = false;
     EXPECT_EQ(light_cache_text(report),
-              "Guiding was off in the last frame. pt_nee sll learns nothing.");
+              "Guiding was off in the last frame: pt_nee sll needs none. `scene` says why.");
 }
 
 TEST(ReportText, Quadtree) {

@@ -45,7 +45,7 @@ TreeWords download(const vkpt::Guiding::Tree& tree, uint32_t node_capacity) {
 void record_passes(size_t slot) {
     gpu::FrameCommands& commands = shared->slots[slot];
     commands.begin();
-    shared->guiding.record(commands, slot, false);
+    shared->guiding.record(commands, slot, vkpt::Change::Something);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
 }
 

@@ -17,16 +17,18 @@ class Features : public RenderTest {
 protected:
     static void expect_reported(const vkpt::SceneFeatures& features) {
         const refresh::SceneReport report = renderer().report_scene(cvars().values());
-        const std::map<std::string, bool> expected = {{"lights", features.lights},
-                                                      {"sky", features.sky},
-                                                      {"sun", features.sun},
-                                                      {"sky as light", features.environment},
-                                                      {"translucency", features.translucent},
-                                                      {"gloss", features.gloss},
-                                                      {"liquids", features.liquid},
-                                                      {"animation", features.animation},
-                                                      {"instances", features.instances},
-                                                      {"effects", features.effects}};
+        const std::map<std::string, bool> expected = {
+            {"lights", features.lights},
+            {"sky", features.sky},
+            {"sun", features.sun},
+            {"sky as light", features.environment},
+            {"translucency", features.translucent},
+            {"gloss", features.gloss},
+            {"liquids", features.liquid},
+            {"animation", features.animation},
+            {"instances", features.instances},
+            {"effects", features.effects},
+            {"light caches", renderer().technique()->uses_guiding()}};
         std::map<std::string, bool> reported;
         for (const refresh::SceneReport::Feature& feature : report.features) {
             reported[feature.name] = feature.on;
@@ -67,7 +69,9 @@ TEST_F(Features, AreOnWhereTheLevelHasThem) {
         // Compiled with everything, the same level gives the same picture but for rounding, which
         // may turn a few paths at edges. Lights stay as they are: they draw random numbers; and
         // sky and sun are lights or not.
-        vkpt::SceneFeatures everything{true, true, true, true, true, true, true, true, true, true};
+        vkpt::SceneFeatures everything;
+        for (const vkpt::SceneFeatureRow& feature : vkpt::scene_feature_rows)
+            everything.*feature.member = true;
         everything.lights = row.features.lights;
         everything.environment = row.features.environment || !row.features.sky;
         const auto trace_with = [&](const vkpt::SceneFeatures& features) {
@@ -152,6 +156,63 @@ TEST_F(Features, WithoutLightEverythingIsBlack) {
         EXPECT_GT(sum, 0.0) << info.name;
         EXPECT_TRUE(renderer().scene()->features().lights);
         expect_reported(renderer().scene()->features());
+    }
+}
+
+TEST_F(Features, CachesAreMadeWhereListsDoNotSuffice) {
+    load("lamp");
+    Shot shot;
+    shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
+    const auto has_caches = [&] {
+        radiance(shot);
+        const bool on = renderer().technique()->uses_guiding();
+        EXPECT_EQ(renderer().compiled_features().caches, on);
+        EXPECT_EQ(renderer().report_guiding().on, on);
+        expect_reported(renderer().scene()->features());
+        return on;
+    };
+    set("pt_nee", "vlc");
+    EXPECT_TRUE(has_caches()) << "pt_vlc_enough 0";
+    set("pt_vlc_enough", "0.5");
+    EXPECT_FALSE(has_caches()) << "every lamp is in sight";
+    set("pt_features", "caches");
+    EXPECT_TRUE(has_caches());
+    set("pt_features", "auto");
+    set("pt_vlc_bucket", "1");
+    EXPECT_TRUE(has_caches()) << "lists are longer than a bucket";
+    cvars().reset("pt_vlc_bucket");
+    EXPECT_FALSE(has_caches());
+
+    // A few moving lights do not matter. Many do, and a level that they crowded keeps its caches.
+    const auto set_lights = [&](uint32_t count) {
+        shot.dynamic_lights.clear();
+        for (uint32_t id = 1; id <= count; ++id)
+            shot.dynamic_lights.push_back(
+                {id, {-110.0f + 10.0f * static_cast<float>(id), 0, 60}, 2.0f, {5, 5, 5}});
+    };
+    set_lights(2);
+    EXPECT_FALSE(has_caches());
+    set_lights(20);
+    EXPECT_TRUE(has_caches());
+    set_lights(0);
+    EXPECT_TRUE(has_caches());
+
+    load("opensky");
+    EXPECT_TRUE(has_caches()) << "the sky is not asked whether it is in sight";
+}
+
+TEST_F(Features, ListsAloneHaveTheSameMean) {
+    load("rooms");
+    Shot shot;
+    shot.view = {{420, 40, 90}, {0, 50, 0}, 90};
+    const PictureBatches expected = batches(shot, 8, 64, 100, 8);
+    set("pt_nee", "vlc");
+    set("pt_vlc_enough", "0.01");
+    for (const char* guide : {"brdf", "cdq"}) {
+        set("pt_guide", guide);
+        const PictureBatches seen = batches(shot, 8, 64, 200, 8);
+        EXPECT_FALSE(renderer().technique()->uses_guiding());
+        judge(fmt::format("lists alone, {}", guide), seen, expected, {0.015});
     }
 }
 

@@ -36,10 +36,12 @@ double LightAnswers::found() const {
     return total;
 }
 
-vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique) {
+vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique,
+                                    bool caches) {
     vkpt::SceneFeatures features; // of any scene
     features.instances = features.translucent = features.lights = true;
     features.sky = features.sun = features.environment = true;
+    features.caches = caches;
     return test_pass(renderer, fmt::format("light_technique.{}", technique), features);
 }
 

@@ -41,7 +41,8 @@ struct LightAnswers {
 };
 
 /// light_technique.comp with a technique, for scenes of all features that lights can have.
-vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique);
+vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_view technique,
+                                    bool caches = true);
 
 /// Its buffers, for so many batches of radiance; those of before are forgotten.
 void add_light_buffers(vkpt::SidePass& pass, vkpt::VkptRenderer& renderer, uint32_t batches);

@@ -79,7 +79,9 @@ protected:
         vkpt::FrameDescription frame = params(scene.shot);
         frame.frame = 1;
         trace(frame, 1);
-        if (!pass_) pass_.emplace(light_technique_pass(renderer(), GetParam().technique));
+        if (!pass_)
+            pass_.emplace(
+                light_technique_pass(renderer(), GetParam().technique, GetParam().caches));
     }
 
     static size_t pixels() {

@@ -83,6 +83,10 @@ void RenderTest::SetUp() {
     set("pt_guide", "brdf");
     set_size(48, 32);
     set("pt_jitter", "0");
+    if (const char* features = std::getenv("VIGIL_TEST_FEATURES")) set("pt_features", features);
+    // Levels of tests are small: lists would do, and frames few.
+    set("pt_vlc_enough", "0");
+    set("pt_learn_every", "1");
     set("flt_enable", "0");
     set("flt_first", "0");
 }
@@ -152,7 +156,7 @@ shader::GuidingWork RenderTest::adapt(gpu::FrameCommands& commands) {
     renderer().device().wait_idle();
     commands.begin();
     renderer().technique()->adapt(commands);
-    if (renderer().guided()) renderer().guiding().record(commands, 0, false);
+    if (renderer().guided()) renderer().guiding().record(commands, 0, vkpt::Change::Something);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
     commands.finish();
     return renderer().guiding().statistics(0);

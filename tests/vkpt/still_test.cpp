@@ -102,7 +102,8 @@ TEST_P(StillTest, NothingIsCopiedWhereNothingChanges) {
     shot_.entities = {entity(1, "models/box.md2", {0, 0, 32}),
                       entity(2, "models/plate.glb", {100, 0, 32})};
     EXPECT_TRUE(render().contains("instances"));
-    for (int number = 1; number < 5; ++number)
+    set("pt_learn_every", "2"); // its turns are no copies either
+    for (int number = 1; number < 24; ++number)
         EXPECT_EQ(render(), nothing) << "frame " << number;
     set("flt_enable", "1"); // its rays pass through another point of each pixel in each frame
     render();
@@ -156,6 +157,31 @@ TEST_P(StillTest, LearningRestsUntilSomethingChanges) {
         render();
     for (int frame = 0; frame < 40; ++frame)
         EXPECT_TRUE(learns()) << "frame " << frame;
+}
+
+TEST_P(StillTest, LearningTakesTurns) {
+    set("pt_guide", "brdf");
+    set("pt_oct_scale", "100"); // a few leaves with many samples
+    const auto turns = [&](std::string_view every, float spot_step = 0.0f) {
+        set("pt_learn_every", every);
+        renderer().reset_guiding();
+        std::string learning;
+        for (int frame = 0; frame < 24; ++frame) {
+            shot_.view.angles.y += 1.0f;
+            shot_.spots[0].origin.x += spot_step;
+            render();
+            learning += learns_ ? '1' : '0';
+        }
+        return learning;
+    };
+    const std::string each(24, '1');
+    EXPECT_EQ(turns("1"), each);
+    EXPECT_EQ(turns("2"), "111111111101010101010101") << "all of the first 8 frames teach";
+    EXPECT_EQ(turns("4"), "111111111100010001000100");
+    EXPECT_EQ(turns("4", 1.0f), each) << "lights change";
+    // Where caches have many lights for the samples there are, all frames teach.
+    set("pt_oct_scale", "0.3");
+    EXPECT_EQ(turns("4"), each);
 }
 
 TEST_P(StillTest, WhatChangesIsCopiedInItsFrame) {

@@ -46,8 +46,8 @@ EXPLORE_SHARE = part("explore_share", "tests/light/explore_memory_test.cpp", com
 LIGHT_TREE = part("light_tree", "tests/light/light_tree_test.cpp", LIGHT + "light_tree.cpp", computes=False)
 HIERARCHY = part("light_hierarchy", "tests/light/light_hierarchy_test.cpp", "tests/light/light_hierarchy_oracle.cpp",
                  LIGHT + "light_hierarchy.cpp", LIGHT + "light_tree.cpp")
-LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/cluster_margin_test.cpp",
-             LIGHT + "light_lists.cpp", libraries=("vigil_level",), computes=False)
+LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/list_sight_test.cpp", "tests/light/cluster_margin_test.cpp",
+             LIGHT + "light_lists.cpp", LIGHT + "list_sight.cpp", libraries=("vigil_level",), computes=False)
 PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
            libraries=("vigil_formats",), computes=False)
 LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", libraries=("vigil_scene",), computes=False)
@@ -353,6 +353,13 @@ FAULTS = [
     Fault("vlc: walks of lists keep lights that the cache has", "shaders/light/vlc.glsl",
           "if (importance > 0.0 && !candidates.from_cache && is_cached", "if (importance > 0.0 && candidates.from_cache && is_cached",
           TECHNIQUE, "*KeepsItsPromises/vlc_Default"),
+    Fault("vlc without caches: walks count 3% too likely", "shaders/light/vlc.glsl",
+          "if (!HAS_CACHES) return walk.weight > 0.0 ? walk", "if (!HAS_CACHES) return walk.weight > 0.0 ? 1.03 * walk",
+          TECHNIQUE, "*KeepsItsPromises/vlc_ListsAlone"),
+    Fault("lights behind walls count as in sight", "src/refresh/vkpt/light/list_sight.cpp",
+          "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfTheDrawsByWhatTheyLookFor"),
+    Fault("guiding learns from each frame", "src/refresh/vkpt/guiding/guiding.cpp",
+          "frames_ % turn_ == 0", "turn_ > 0", ENTITIES, "*StillTest.LearningTakesTurns/bvh"),
     Fault("a light of every cluster's list is left out", "shaders/light/light_list.glsl",
           "LightList(cluster, range.x, range.y, 0u, range.y)",
           "LightList(cluster, range.x, max(range.y, 1u) - 1u, 0u, max(range.y, 1u) - 1u)",

@@ -40,7 +40,7 @@ std::string table(const std::vector<Row>& rows, size_t most, std::string_view in
 }
 
 std::string off_text(const GuidingReport& guiding) {
-    return fmt::format("Guiding was off in the last frame. pt_nee {} learns nothing.",
+    return fmt::format("Guiding was off in the last frame: pt_nee {} needs none. `scene` says why.",
                        technique_infos[static_cast<size_t>(guiding.technique)].name);
 }
 

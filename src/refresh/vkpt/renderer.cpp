@@ -191,9 +191,7 @@ void VkptRenderer::for_each_side(const std::function<void(Side&)>& what) {
 }
 
 void VkptRenderer::prepare_pipelines() {
-    for_each_side([&](Side& side) {
-        side.prepare_guiding(buffers_.most_traced(), frame_number_ - first_frame_, settings_);
-    });
+    for_each_side([&](Side& side) { side.prepare_guiding(buffers_.most_traced(), settings_); });
     const std::vector<PictureSide> sides = picture_sides();
     path_tracer_.prepare(sides);
     if (settings_.pt_view == shader::VIEW_CDQ) direction_map_.prepare(sides);
@@ -204,13 +202,19 @@ void VkptRenderer::prepare_pipelines() {
 void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
     for_each_side([&](Side& side) {
         side.technique()->adapt(commands);
-        side.update_guiding(commands, slot, still_);
+        side.update_guiding(commands, slot, change_);
     });
 }
 
+SceneFeatures VkptRenderer::compiled_features(const Side& side) const {
+    SceneFeatures features = scene_->compiled_features(settings_);
+    features.caches = side.technique()->uses_guiding();
+    return features;
+}
+
 std::vector<PictureSide> VkptRenderer::picture_sides() const {
-    const SceneFeatures features = compiled_features();
     const auto describe = [&](const Side& side, uint32_t first, uint32_t end, bool filtered) {
+        const SceneFeatures features = compiled_features(side);
         return PictureSide{{side.id(), features, use_ray_query(settings_), side.guide()},
                            side.technique()->samples_lights() && features.lights,
                            filtered,
@@ -314,8 +318,11 @@ void VkptRenderer::update_accumulation(const FrameDescription& params) {
     std::vector<std::byte> key(sizeof(relevant) + sizeof(more));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
-    still_ = key == accumulation_key_ && same_radiance(settings_, accumulation_settings_);
-    const bool changed = !still_ || time != accumulation_time_;
+    const uint64_t lights_before = std::exchange(light_revision_, scene_->lights().revision());
+    const bool still = key == accumulation_key_ && same_radiance(settings_, accumulation_settings_);
+    change_ = still ? Change::Nothing : Change::Something;
+    if (lights_before != light_revision_) change_ = Change::Lights;
+    const bool changed = !still || time != accumulation_time_;
     if (changed || settings_.pt_accumulate == 0) accumulated_ = 0;
     if (changed) view_accumulated_ = 0;
     accumulation_key_ = std::move(key);

@@ -67,7 +67,7 @@ public:
                         const FrameDescription& params, uint32_t paths);
     Scene* scene() { return scene_.get(); }
     /// Those that shaders of the last frame were compiled for.
-    SceneFeatures compiled_features() const { return scene_->compiled_features(settings_); }
+    SceneFeatures compiled_features() const { return compiled_features(left_); }
     // Of the picture, or, while pt_compare splits it, of its left side.
     LightTechnique* technique() { return left_.technique(); }
     Guiding& guiding() { return left_.guiding(); }
@@ -89,6 +89,7 @@ public:
     uint32_t nonfinite_count() const;
 
 private:
+    SceneFeatures compiled_features(const Side& side) const;
     static constexpr size_t frames_in_flight = 2;
 
     glm::uvec2 screen_size() const;
@@ -162,8 +163,9 @@ private:
     uint32_t view_accumulated_ = 0;           // the same of the view's
     std::vector<std::byte> accumulation_key_; // what both depend on, with
     refresh::Settings accumulation_settings_;
-    float accumulation_time_ = 0.0f; // of moving textures; 0 where there are none
-    bool still_ = false;             // nothing else has changed since the frame before
+    float accumulation_time_ = 0.0f;    // of moving textures; 0 where there are none
+    Change change_ = Change::Something; // but for time
+    uint64_t light_revision_ = 0;
     /// What the last frame showed, for reports.
     struct Shown {
         bool right = false; // the crosshair looked at the right side

@@ -66,6 +66,9 @@ std::optional<shader::PrimaryHit> VkptRenderer::hit_under_crosshair() const {
 refresh::SceneReport VkptRenderer::report_scene(const refresh::Settings& settings) const {
     if (!scene_) fail("no level is loaded");
     refresh::SceneReport report = scene_->report();
+    if (const LightTechnique* technique = left_.technique())
+        report.features.push_back(
+            {"light caches", technique->uses_guiding(), technique->guiding_reason()});
     report.ray_query = use_ray_query(settings);
     report.filter_bytes = filter_.bytes();
     return report;

@@ -16,16 +16,15 @@ void Side::forget(const glm::vec3& corner, float size) {
     guiding_.restart(corner, size);
 }
 
-void Side::prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
-                           const refresh::Settings& settings) {
+void Side::prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& settings) {
     if (!guided()) return;
-    Guiding::Options options = Guiding::options(picture_size, frame, guide_.guide, settings);
+    Guiding::Options options = Guiding::options(picture_size, guide_.guide, settings);
     options.lights = technique_->uses_guiding();
     guiding_.prepare(options);
 }
 
-void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, bool still) {
-    if (guided()) guiding_.record(commands, slot, still);
+void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, Change change) {
+    if (guided()) guiding_.record(commands, slot, change);
 }
 
 } // namespace vigil::vkpt

@@ -30,11 +30,9 @@ public:
 
     /// Makes what the octree needs for a frame of `picture_size`, the level's frame number `frame`,
     /// if it is of use.
-    void prepare_guiding(glm::uvec2 picture_size, uint64_t frame,
-                         const refresh::Settings& settings);
+    void prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& settings);
     /// Records the passes that bring the octree to that frame; after the technique's own adapt().
-    /// `still`: nothing has changed since the frame before.
-    void update_guiding(gpu::FrameCommands& commands, size_t slot, bool still);
+    void update_guiding(gpu::FrameCommands& commands, size_t slot, Change change);
 
     LightTechnique* technique() const { return technique_.get(); } ///< null before a level
     Technique id() const { return id_; }

@@ -6,6 +6,7 @@
 #include "shared/scene_types.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
@@ -45,6 +46,13 @@ uint32_t sample_capacity(uint64_t pixels, uint64_t per_pixel, uint64_t least) {
 constexpr uint32_t all_faces = 0b111111, half_of_faces[] = {0b010101, 0b101010};
 /// Where lights stay for so many frames it is enough to ask half of the neighbours in each.
 constexpr int persist_for_half = 4;
+/// Once nothing new is to be seen, one frame of so many teaches.
+constexpr uint32_t turn_at_rest = 31;
+/// All of the first frames teach, and those after a light has changed.
+constexpr uint32_t eager_frames = 8;
+/// Samples in a frame, for every light of the caches and frame of a turn, that make that turn
+/// enough (measured: docs/research/history.md).
+constexpr uint64_t samples_per_light = 3;
 
 /// Factor on the thresholds of the octree, which are those of 1920 x 1080 pixels. In proportion to
 /// the pixels, a small picture would have as many leaves as a large one, each with too few samples
@@ -126,7 +134,7 @@ void Guiding::choose_pipelines() {
             {{CONSTANT_GROUP_SIZE, subgroup}, {CONSTANT_GUIDER_SIZE, options_.guide.size}});
 }
 
-Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide guide,
+Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
                                   const refresh::Settings& settings) {
     const double factor =
         threshold_factor(picture_size) * static_cast<double>(settings.pt_oct_scale);
@@ -149,8 +157,8 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, uint64_t frame, Guide
     options.settings.weigh = static_cast<uint32_t>(settings.pt_vlc_weigh);
     options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
-    if (settings.pt_vlc_persist >= persist_for_half)
-        options.settings.merge_faces &= half_of_faces[frame % 2];
+    options.half_merged = settings.pt_vlc_persist >= persist_for_half;
+    options.learn_every = static_cast<uint32_t>(settings.pt_learn_every);
     return options;
 }
 
@@ -286,6 +294,7 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
               zeros.first(guider->memory_words() * sizeof(uint32_t)));
     }
     restart_ = false;
+    learned_ = 0;
 }
 
 gpu::Buffer Guiding::make_caches(const shader::GuidingHeader& header) const {
@@ -330,7 +339,9 @@ bool Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
 
 bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
     if (!counted_.at(slot)) return false;
-    const Needs needs = needs_of(statistics(slot));
+    const shader::GuidingWork work = statistics(slot);
+    turn_ = turn_for(work);
+    const Needs needs = needs_of(work);
     worst_.nodes = std::max(worst_.nodes, needs.nodes);
     worst_.samples = std::max(worst_.samples, needs.samples);
     worst_.rays = std::max(worst_.rays, needs.rays);
@@ -338,24 +349,37 @@ bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
     return make_room(commands, needs.cache_words);
 }
 
-/// Whether this frame stores no samples, as all that it could teach is known.
-bool Guiding::rests() const {
-    // It is odd: neighbours take turns by frame, and so do indirect rays.
-    constexpr uint32_t learns_from_one_of = 31;
-    return options_.rest_after > 0 && still_frames_ >= options_.rest_after &&
-           still_frames_ % learns_from_one_of != 0;
+uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
+    const uint64_t samples_needed = samples_per_light * work.cached_lights;
+    const uint64_t rays_needed = uint64_t{options_.settings.memory_rays} * work.nodes;
+    uint64_t turn = options_.learn_every;
+    if (options_.lights && samples_needed > 0) turn = std::min(turn, work.samples / samples_needed);
+    if (options_.guide.guides())
+        turn = std::min(turn, rays_needed > 0 ? work.rays / rays_needed : 1);
+    return std::bit_floor(static_cast<uint32_t>(std::max<uint64_t>(turn, 1)));
 }
 
-void Guiding::record(gpu::FrameCommands& commands, size_t slot, bool still) {
-    still_frames_ = still && !restart_ ? still_frames_ + 1 : 0;
-    const uint32_t stores = rests() ? 0 : 1;
+/// Whether this frame stores samples, to learn from.
+bool Guiding::teaches() const {
+    if (options_.rest_after > 0 && still_frames_ >= options_.rest_after)
+        return still_frames_ % turn_at_rest == 0;
+    return frames_ < eager_frames || frames_ % turn_ == 0;
+}
+
+void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change) {
+    still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
+    frames_ = change == Change::Lights || restart_ ? 0 : frames_ + 1;
+    const uint32_t stores = teaches() ? 1 : 0;
     const uint32_t stored = std::exchange(header_.stores, stores);
     const bool learns = stored != 0 || restart_;
     const bool grown = learns && follow_needs(commands, slot);
     if (restart_)
         upload_start(commands);
-    else if (grown || stored != stores)
+    else if (grown)
         commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
+    else if (stored != stores)
+        vkCmdFillBuffer(commands.commands(), header_buffer_.handle(),
+                        offsetof(shader::GuidingHeader, stores), sizeof(stores), stores);
     if (learns) learn(commands, slot);
 }
 
@@ -364,7 +388,9 @@ void Guiding::learn(gpu::FrameCommands& commands, size_t slot) {
     const VkBufferCopy whole{0, 0, sizeof(shader::GuidingWork)};
     vkCmdCopyBuffer(commands.commands(), first_work_.handle(), work_.handle(), 1, &whole);
     const VkDescriptorSet set = trees_[current_].passes.handle();
-    const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(options_.settings)};
+    shader::GuidingSettings settings = options_.settings;
+    if (options_.half_merged) settings.merge_faces &= half_of_faces[learned_++ % 2];
+    const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(settings)};
     const gpu::WorkGroups nodes{{(header_.node_capacity + 63) / 64, 1, 1}};
     // A work group for each entry of a list that the passes have made.
     const auto listed = [&](size_t counted) {

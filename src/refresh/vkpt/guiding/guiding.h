@@ -15,6 +15,13 @@
 
 namespace vigil::vkpt {
 
+/// The most that is new in a frame, against the one before.
+enum class Change {
+    Nothing,
+    Something, // camera or models
+    Lights
+};
+
 class Guiding {
 public:
     /// `slots` is the number of frames in flight.
@@ -28,13 +35,13 @@ public:
         bool lights = true;            // light samples are stored, and caches made of them
         uint32_t first_cache_part = 6; // room for one in so many of all caches at the start
         uint32_t rest_after = 0;       // frames without a change; 0: never
+        uint32_t learn_every = 1;      // of up to so many frames one teaches, if that is enough
+        bool half_merged = false;      // neighbours take turns to be merged
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
-    /// number of pixels, and pt_oct_scale. `frame` counts frames: where lights persist, neighbours
-    /// take turns.
-    static Options options(glm::uvec2 picture_size, uint64_t frame, Guide guide,
-                           const refresh::Settings& settings);
+    /// number of pixels, and pt_oct_scale.
+    static Options options(glm::uvec2 picture_size, Guide guide, const refresh::Settings& settings);
     /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
     /// surface samples.
     static uint32_t node_capacity(const Options& options);
@@ -48,9 +55,10 @@ public:
     void restart(const glm::vec3& corner, float size);
     /// Records the passes that make this frame's octree and caches from the samples of the frame
     /// before, if that stored any. Afterwards set() is the new tree's. `slot` is that of the frame
-    /// in flight. `still`: nothing has changed since the frame before. After
-    /// Options::rest_after such frames one of 31 stores samples.
-    void record(gpu::FrameCommands& commands, size_t slot, bool still);
+    /// in flight. Frames store samples as often as there is something to learn from them: all while
+    /// lights change, fewer where one has plenty (Options::learn_every), one of 31 after
+    /// Options::rest_after frames in which nothing changes.
+    void record(gpu::FrameCommands& commands, size_t slot, Change change);
     /// What the frame counted that was recorded last in `slot`; after its fence.
     shader::GuidingWork statistics(size_t slot) const;
 
@@ -100,7 +108,9 @@ private:
     bool make_room(gpu::FrameCommands& commands, uint32_t cache_words);
     bool follow_needs(gpu::FrameCommands& commands, size_t slot);
     void upload_start(gpu::FrameCommands& commands);
-    bool rests() const;
+    bool teaches() const;
+    /// Frames of which one is enough, by what a frame counted.
+    uint32_t turn_for(const shader::GuidingWork& work) const;
     void learn(gpu::FrameCommands& commands, size_t slot);
 
     const gpu::Device& device_;
@@ -118,6 +128,9 @@ private:
     uint32_t cache_words_before_ = 0; // asked for in the frame before the last known
     bool restart_ = true;
     uint32_t still_frames_ = 0; // since something changed, or the octree began
+    uint32_t frames_ = 0;       // since a light changed, or the octree began
+    uint32_t turn_ = 1;         // of so many frames one teaches
+    uint32_t learned_ = 0;      // frames learned from
 };
 
 } // namespace vigil::vkpt

@@ -10,6 +10,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <memory>
+#include <string>
 
 #include "shared/bindings.h"
 #include "shared/techniques.h"
@@ -54,8 +55,11 @@ public:
     virtual void bind(Bindings& bindings) const = 0;
     /// Whether next event estimation is of any use: false where rays find the lights.
     virtual bool samples_lights() const { return true; }
-    /// Whether its shader looks into the octree, which the renderer then brings to every frame.
+    /// Whether its shader looks into the octree, which the renderer then brings to every frame; as
+    /// prepare() found.
     virtual bool uses_guiding() const { return false; }
+    /// What that was decided by, for reports.
+    virtual std::string guiding_reason() const { return "only pt_nee vlc has them"; }
 };
 
 /// What techniques are made from: valid as long as the level is.

@@ -429,7 +429,7 @@ void Scene::update_features(bool any_instances) {
 SceneFeatures Scene::compiled_features(const refresh::Settings& settings) const {
     SceneFeatures features = features_;
     for (const SceneFeatureRow& row : scene_feature_rows)
-        features.*row.member |= forces_feature(settings.pt_features, row);
+        features.*row.member |= forces_feature(settings.pt_features, row.member);
     features.environment &= environment_on_;
     return features;
 }
