@@ -63,8 +63,8 @@ int main(int argc, char** argv) {
         command->callback([&, command] { status = bench.run(command->remaining()); });
     }
     try {
-        // What is measured is raw, begins with the first frame and learns from each, unless a row
-        // says otherwise.
+        // What is measured is raw, begins with the first frame and never rests, unless a row says
+        // otherwise.
         vigil::cvars().set("flt_enable", "0");
         vigil::cvars().set("flt_first", "0");
         vigil::cvars().set("pt_rest_after", "0");

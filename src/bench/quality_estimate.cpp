@@ -175,6 +175,16 @@ double median(std::vector<double> values) {
     return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
+std::vector<double> running_means(std::span<const double> values, std::size_t width) {
+    std::vector<double> means;
+    for (std::size_t end = 1; end <= values.size(); ++end) {
+        const auto last = values.first(end).last(std::min(end, width));
+        means.push_back(std::accumulate(last.begin(), last.end(), 0.0) /
+                        static_cast<double>(last.size()));
+    }
+    return means;
+}
+
 double median_of(const Strata& values) {
     return median(pooled(values));
 }

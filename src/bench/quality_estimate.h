@@ -74,6 +74,8 @@ Strata times(const Strata& a, const Strata& b);
 
 /// NaN without values, or where one is NaN.
 double median(std::vector<double> values);
+/// Each value's mean with the `width` - 1 before it, as far as there are any.
+std::vector<double> running_means(std::span<const double> values, std::size_t width);
 /// Of all runs.
 double median_of(const Strata& values);
 

@@ -51,6 +51,11 @@ std::uint64_t shader_hash(const std::string& technique, const std::string& guide
     return hash;
 }
 
+/// Times of frames of which one in pt_learn_every learns, each as the mean of so many.
+std::vector<double> over_turns(std::span<const double> frames) {
+    return running_means(frames, static_cast<std::size_t>(cvars()->pt_learn_every));
+}
+
 } // namespace
 
 std::string SceneChange::text() const {
@@ -167,17 +172,19 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
     }
     first_timed -= warmup / 2;
     Measurement result;
-    result.frame_ms = median(std::move(frame_ms));
+    result.frame_ms = median(over_turns(frame_ms));
     result.pictures = stand_still(place.measured(), frames);
 
     std::vector<std::vector<double>> times(std::size(vkpt::pass_names));
     for (const refresh::FrameTimes& frame : renderer_->take_frame_times(true)) {
         if (frame.frame < first_timed) continue;
+        for (std::vector<double>& pass : times)
+            pass.push_back(0.0);
         for (const refresh::PassTime& pass : frame.passes)
-            times[pass_index(pass.name)].push_back(pass.milliseconds);
+            times[pass_index(pass.name)].back() = pass.milliseconds;
     }
-    for (std::vector<double>& pass : times)
-        result.pass_ms.push_back(pass.empty() ? 0.0 : median(std::move(pass)));
+    for (const std::vector<double>& pass : times)
+        result.pass_ms.push_back(pass.empty() ? 0.0 : median(over_turns(pass)));
 
     // What became of the light samples.
     const vkpt::FrameBuffers& buffers = renderer_->buffers();
@@ -215,6 +222,17 @@ std::vector<FrameCost> QualityRenderer::fly(const Place& place, const QualityRow
         }
         cost.frame_ms = 1e3 * watch.seconds();
     }
+    const auto smooth = [&](auto time_of) {
+        std::vector<double> times;
+        for (FrameCost& cost : costs)
+            times.push_back(time_of(cost));
+        const std::vector<double> means = over_turns(times);
+        for (std::size_t frame = 0; frame < costs.size(); ++frame)
+            time_of(costs[frame]) = means[frame];
+    };
+    smooth([](FrameCost& cost) -> double& { return cost.frame_ms; });
+    for (std::size_t pass = 0; pass < std::size(vkpt::pass_names); ++pass)
+        smooth([pass](FrameCost& cost) -> double& { return cost.pass_ms[pass]; });
     return costs;
 }
 

@@ -136,6 +136,14 @@ TEST(RatioOverViews, IsTheGeometricMeanOfTheViewsMedians) {
     EXPECT_TRUE(std::isnan(ratio_over_views({{1}, {2}, {3}}, {{1}, {1}, {1}}).low));
 }
 
+TEST(RunningMeans, AreOfAsManyAsThereAre) {
+    const std::vector<double> values = {4, 2, 0, 6};
+    EXPECT_EQ(running_means(values, 1), values);
+    EXPECT_EQ(running_means(values, 2), (std::vector<double>{4, 3, 1, 3}));
+    EXPECT_EQ(running_means(values, 9), (std::vector<double>{4, 3, 2, 3}));
+    EXPECT_TRUE(running_means({}, 2).empty());
+}
+
 TEST(RatioOverFlights, CountsAFlightOnce) {
     // Frames of a flight: as many as one likes make no interval without six flights.
     const Strata ones(50, std::vector<double>(5, 1.0));
