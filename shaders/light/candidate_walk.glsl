@@ -16,6 +16,9 @@ struct CandidateWalk {
     float sum;    // of all weights
 };
 
+/// Probability that a draw walks so, from one of `starts` places drawn evenly, and keeps that light.
+float walk_probability(CandidateWalk walk, uint starts) { return walk.weight > 0.0 ? walk.weight / (walk.sum * float(starts)) : 0.0; }
+
 /// Draws by `u`, in [0, 1); or keeps the light `sought`, unless that is NONE.
 CandidateWalk walk_candidates(Candidates candidates, uint sought, float u) {
     Reservoir reservoir = new_reservoir(u);

@@ -57,10 +57,6 @@ Candidates prepare_candidates(Surface surface, LightList list) {
     return candidates;
 }
 
-float walk_probability(CandidateWalk walk, Candidates candidates) {
-    return walk.weight > 0.0 ? walk.weight / (walk.sum * float(candidates.stride)) : 0.0;
-}
-
 /// What the draws of a surface have in common.
 struct ListDraw {
     LightList list; // without the sun
@@ -87,7 +83,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     Candidates candidates = prepare_candidates(surface, draw.list);
     candidates.first = draw_index(u.x, candidates.stride);
     const CandidateWalk walk = walk_candidates(candidates, NONE, u.y);
-    choice = light_choice(walk.light, (1.0 - draw.of_sun) * walk_probability(walk, candidates));
+    choice = light_choice(walk.light, (1.0 - draw.of_sun) * walk_probability(walk, candidates.stride));
     if (frame.settings.pt_sll_stats != 0) choice.memory.x = slot_of_light(candidates, choice.light);
     return choice;
 }
@@ -103,5 +99,5 @@ float light_probability(Surface surface, uint light) {
     if (place == NONE) return 0.0;
     Candidates candidates = prepare_candidates(surface, draw.list);
     candidates.first = place % candidates.stride; // the one start whose walk meets the light
-    return (1.0 - draw.of_sun) * walk_probability(walk_candidates(candidates, light, 0.0), candidates);
+    return (1.0 - draw.of_sun) * walk_probability(walk_candidates(candidates, light, 0.0), candidates.stride);
 }

@@ -129,7 +129,6 @@ float explore_total(LightSearch search, uint leaf) {
 /// Shares of a surface's first draw, or of one beside it that is made with the probability `beside` > 0. Where nothing is drawn from the cache,
 /// its lights must not be left to it: then it counts as empty.
 Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
-    if (!HAS_CACHES) return Shares(0.0, 1.0, 0.0);
     if (beside > 0.0) return explore_shares(search, beside);
     if (draws_beside()) return Shares(1.0, 0.0, 0.0);
     const float total = explore_total(search, leaf);
@@ -180,29 +179,31 @@ Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
 
 /// Probability that a light is drawn, after the one walk that can meet it.
 float mixture_probability(LightSearch search, Shares shares, bool cached, CandidateWalk walk) {
-    if (!HAS_CACHES) return walk.weight > 0.0 ? walk.weight / (walk.sum * float(search.list_stride)) : 0.0;
     float walks = shares.list / float(search.list_stride);
     if (cached) walks = shares.cache * bucket_probability(search.cache, walk.light & (search.cache.buckets - 1u));
     return shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 
-SurfaceLeaves find_cache_leaves(Surface surface) {
-    if (!HAS_CACHES) return SurfaceLeaves(0u, 0u);
-    return find_leaves(surface.position, previous_position(surface));
+/// A draw where there are no caches.
+LightChoice draw_from_list(Surface surface, inout Random random) {
+    const LightSearch search = prepare_search(surface, 0u);
+    const vec3 u = random_next3(random);
+    const CandidateWalk walk = walk_candidates(list_candidates(search, draw_index(u.y, search.list_stride)), NONE, u.z);
+    return light_choice(walk.light, walk_probability(walk, search.list_stride));
 }
 
 LightChoice draw_light(Surface surface, float beside, inout Random random) {
-    const SurfaceLeaves found = find_cache_leaves(surface);
+    if (!HAS_CACHES) return draw_from_list(surface, random);
+    const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     LightSearch search = prepare_search(surface, found.cache);
     const Shares shares = draw_shares(search, found.cache, beside);
     const vec3 u = random_next3(random);
-    uvec2 bits = uvec2(0u);
-    if (HAS_CACHES) bits = random_next_bits(random);
+    const uvec2 bits = random_next_bits(random);
 
     // What to walk past.
     const float kind = beside > 0.0 ? u.x * beside : u.x - shares.cache; // below 0: the cache
-    const bool from_cache = HAS_CACHES && kind < 0.0;
-    const bool from_list = !HAS_CACHES || (!from_cache && kind < shares.list);
+    const bool from_cache = kind < 0.0;
+    const bool from_list = !from_cache && kind < shares.list;
     uint tabled = NONE;
     bool cached = from_cache;
     float walks = float(search.list_stride); // 1 / probability of this one
@@ -222,7 +223,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     const CandidateWalk walk = walk_candidates(candidates, tabled, u.z);
 
     LightChoice choice = weighted_choice(walk.light, 0.0);
-    choice.explored = HAS_CACHES && !from_cache;
+    choice.explored = !from_cache;
     choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
     if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
     if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
@@ -241,13 +242,15 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
 }
 
 void learn_light(LightChoice choice, uint outcome) {
-    if (HAS_CACHES) store_light_sample(choice.memory.x, choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
+    store_light_sample(choice.memory.x, choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
 }
 
 float light_probability(Surface surface, uint light) {
-    const uint leaf = find_cache_leaves(surface).cache;
+    uint leaf = 0u;
+    if (HAS_CACHES) leaf = find_leaves(surface.position, previous_position(surface)).cache;
     LightSearch search = prepare_search(surface, leaf);
-    const float beside = HAS_CACHES && draws_beside() && !is_cached(search.cache, light) ? explore_total(search, leaf) : 0.0;
+    if (!HAS_CACHES) return walk_probability(walk_candidates(candidates_of_light(search, false, light), light, 0.0), search.list_stride);
+    const float beside = draws_beside() && !is_cached(search.cache, light) ? explore_total(search, leaf) : 0.0;
     const Shares shares = draw_shares(search, leaf, beside);
     const bool cached = is_cached(search.cache, light);
     return mixture_probability(search, shares, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));

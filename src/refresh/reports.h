@@ -99,6 +99,7 @@ struct GuidingReport {
     bool quadtrees = false;               ///< and quadtrees of directions guided rays
     uint32_t leaves = 0, depth = 0;       ///< of the octree
     uint32_t caches = 0;                  ///< leaves with lights
+    bool teaches = true;                  ///< the frame stored samples; else there are none
     std::vector<Amount> memory;           ///< bytes on the device, by what they hold
     uint64_t bytes = 0;                   ///< all of them
     std::vector<Room> rooms;

@@ -150,6 +150,10 @@ TEST(ReportText, LightCache) {
     report.on = false;
     EXPECT_EQ(light_cache_text(report),
               "Guiding was off in the last frame: pt_nee sll needs none. `scene` says why.");
+    report = crosshair();
+    report.teaches = false;
+    EXPECT_NE(light_cache_text(report).find("this frame stored no samples or rays\n"),
+              std::string::npos);
 }
 
 TEST(ReportText, Quadtree) {

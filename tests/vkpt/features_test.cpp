@@ -197,6 +197,15 @@ TEST_F(Features, CachesAreMadeWhereListsDoNotSuffice) {
     set_lights(0);
     EXPECT_TRUE(has_caches());
 
+    // A lamp that is off may be switched on later: it counts as if it were lit.
+    load("rooms");
+    set("pt_vlc_enough", "1");
+    EXPECT_TRUE(has_caches()) << "lamps behind walls";
+    shot.dark_styles = {0};
+    load("rooms");
+    EXPECT_TRUE(has_caches());
+    set("pt_vlc_enough", "0.5");
+
     load("opensky");
     EXPECT_TRUE(has_caches()) << "the sky is not asked whether it is in sight";
 }

@@ -179,6 +179,9 @@ TEST_P(StillTest, LearningTakesTurns) {
     EXPECT_EQ(turns("2"), "111111111101010101010101") << "all of the first 8 frames teach";
     EXPECT_EQ(turns("4"), "111111111100010001000100");
     EXPECT_EQ(turns("4", 1.0f), each) << "lights change";
+    set("pt_view", "samples");
+    EXPECT_EQ(turns("4"), each) << "the view counts samples";
+    set("pt_view", "none");
     // Where caches have many lights for the samples there are, all frames teach.
     set("pt_oct_scale", "0.3");
     EXPECT_EQ(turns("4"), each);

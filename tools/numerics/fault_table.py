@@ -354,7 +354,7 @@ FAULTS = [
           "if (importance > 0.0 && !candidates.from_cache && is_cached", "if (importance > 0.0 && candidates.from_cache && is_cached",
           TECHNIQUE, "*KeepsItsPromises/vlc_Default"),
     Fault("vlc without caches: walks count 3% too likely", "shaders/light/vlc.glsl",
-          "if (!HAS_CACHES) return walk.weight > 0.0 ? walk", "if (!HAS_CACHES) return walk.weight > 0.0 ? 1.03 * walk",
+          "light_choice(walk.light, walk_probability(", "light_choice(walk.light, 1.03 * walk_probability(",
           TECHNIQUE, "*KeepsItsPromises/vlc_ListsAlone"),
     Fault("lights behind walls count as in sight", "src/refresh/vkpt/light/list_sight.cpp",
           "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfTheDrawsByWhatTheyLookFor"),

@@ -65,8 +65,9 @@ std::string leaf_text(const OctreeLeaf& leaf) {
 
 std::string place_text(const GuidingReport& guiding) {
     const glm::vec3 position = *guiding.position;
-    return fmt::format("under the crosshair: {:.1f} {:.1f} {:.1f}\n", position.x, position.y,
-                       position.z) +
+    return fmt::format("under the crosshair: {:.1f} {:.1f} {:.1f}\n{}", position.x, position.y,
+                       position.z,
+                       guiding.teaches ? "" : "this frame stored no samples or rays\n") +
            leaf_text(guiding.leaf);
 }
 

@@ -102,6 +102,7 @@ refresh::GuidingReport VkptRenderer::report_guiding() const {
     report.memory.push_back({"plan and lists", rest});
     const Guiding::Needs needs = Guiding::needs_of(guiding_work_), &worst = guiding.worst();
     const shader::GuidingHeader& header = guiding.header();
+    report.teaches = header.stores != 0;
     report.rooms = {{"inner nodes", needs.nodes, worst.nodes, header.node_capacity},
                     {"light samples", needs.samples, worst.samples, header.sample_capacity}};
     if (guiding.guided())

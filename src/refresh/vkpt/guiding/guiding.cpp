@@ -4,6 +4,7 @@
 #include "shared/bindings.h"
 #include "shared/octree.h"
 #include "shared/scene_types.h"
+#include "shared/views.h"
 
 #include <algorithm>
 #include <bit>
@@ -159,6 +160,10 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
     options.half_merged = settings.pt_vlc_persist >= persist_for_half;
     options.learn_every = static_cast<uint32_t>(settings.pt_learn_every);
+    if (settings.pt_view == shader::VIEW_SAMPLES) { // of every frame
+        options.rest_after = 0;
+        options.learn_every = 1;
+    }
     return options;
 }
 
@@ -174,15 +179,15 @@ uint32_t Guiding::node_capacity(const Options& options) {
 bool Guiding::prepare(const Options& options) {
     const bool fits = header_.node_capacity == node_capacity(options) &&
                       options_.picture_size == options.picture_size &&
-                      options_.guide.guide == options.guide.guide;
+                      options_.guide.guide == options.guide.guide &&
+                      options_.lights == options.lights;
     const uint32_t memory = options.settings.memory_rays > 0 ? memory_words(options.guide) : 0;
     // What the frame before left must fit: buckets of the same size, what the same guider learned,
     // shares if they are to be learned, caches that were made in it, and a memory if the guider is
     // to have one.
     restart_ |= options_.settings.bucket != options.settings.bucket ||
                 options_.settings.adapt_share != options.settings.adapt_share ||
-                options_.guide != options.guide || options_.lights != options.lights ||
-                options_.settings.memory_words < memory;
+                options_.guide != options.guide || options_.settings.memory_words < memory;
     options_ = options;
     options_.settings.memory_words = memory;
     options_.settings.guided = options_.guide.guides() ? 1 : 0;
@@ -200,7 +205,7 @@ void Guiding::make_buffers() {
     const uint64_t nodes = header_.node_capacity, leaves = 8 * nodes;
     header_.sample_capacity = sample_capacity(pixels, samples_per_pixel, leaves);
     header_.ray_capacity = sample_capacity(pixels, rays_per_pixel, nodes);
-    header_.vlc_most = static_cast<uint32_t>(cache_words_per_leaf * leaves);
+    header_.vlc_most = static_cast<uint32_t>(cache_words_per_leaf * (options_.lights ? leaves : 1));
     header_.vlc_capacity = header_.vlc_most / options_.first_cache_part;
     const auto make = [&](uint64_t words, const char* name) {
         return gpu::Buffer(device_, words * sizeof(uint32_t), gpu::MemoryUse::Device, name);

@@ -96,11 +96,15 @@ ClusterLists::Sight ClusterLists::sight_of(const LightLists& lists, const LightS
     Sight sight;
     for (size_t cluster = 0; cluster < lister_.cluster_count(); ++cluster)
         sight.longest = std::max(sight.longest, lists.ranges[cluster].count);
-    const auto lamps = lights.lights().first(lights.static_count());
     const bool sky =
-        std::ranges::any_of(lamps, [](const shader::Light& l) { return l.flags != 0; });
-    if (sight.longest <= shader::VLC_LARGEST_BUCKET && !sky)
-        sight.seen = part_in_sight(lister_.bsp(), lists, lamps);
+        lights.sun() != shader::NONE || std::ranges::any_of(lights.world(), &LightSource::flags);
+    if (sight.longest > shader::VLC_LARGEST_BUCKET || sky) return sight;
+    std::vector<shader::Light> lamps; // all lit: what is dark now may be switched on later
+    for (const LightSource& source : lights.world()) {
+        shader::Light& lamp = lamps.emplace_back(lights.lights()[lamps.size()]);
+        lamp.radiance = source.radiance * source.coverage;
+    }
+    sight.seen = part_in_sight(lister_.bsp(), lists, lamps);
     return sight;
 }
 

@@ -21,14 +21,14 @@ public:
     bool prepare(const LightFrame& frame) override {
         const bool new_lists = lists_.prepare(frame.lights);
         decide(frame.settings);
-        return table_.prepare(frame) || new_lists;
+        return (caches_ && table_.prepare(frame)) || new_lists;
     }
     void upload(gpu::FrameCommands& commands) override {
         lists_.upload(commands);
-        table_.upload(commands);
+        if (caches_) table_.upload(commands);
     }
     void bind(Bindings& bindings) const override {
-        bindings[BINDING_ALIAS_TABLE] = &table_.buffer();
+        bindings[BINDING_ALIAS_TABLE] = table_.buffer() ? &table_.buffer() : nullptr;
         lists_.bind(bindings);
     }
     bool uses_guiding() const override { return caches_; }

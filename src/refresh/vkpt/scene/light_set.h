@@ -58,6 +58,8 @@ public:
 
     /// Lights by id; dark slots have zero radiance.
     std::span<const shader::Light> lights() const { return lights_; }
+    /// Those of the static world as they came, by id; but for the sun.
+    std::span<const LightSource> world() const { return world_; }
     /// Ids below this belong to the static world: their geometry never changes, but for the sun's.
     uint32_t static_count() const { return static_count_; }
     /// Id of the sun, or shader::NONE.
