@@ -24,7 +24,7 @@ Shaders are compiled for what a level has ([frame.md](../internals/frame.md#feat
 - *Path tracing* is the time of camera rays, direct light and indirect light; *frame* is all that a frame takes.
 - *Code* is what is left of the shaders that depend on features: SPIR-V whose constants have their values, without what no invocation can reach. The driver's compiler begins with that. This driver does not tell how much machine code it makes.
 - *Compile* is the time that the driver takes for these shaders, up to the end of their first dispatch. Its caches are off. It was measured once a row.
-- *Memory* is that of all buffers and images. What the driver takes for compiled shaders is not counted. Rows of a level share one renderer, and buffers do not shrink.
+- *Memory* is that of all buffers and images. What the driver takes for compiled shaders is not counted. Rows of a level share one renderer, and a row takes what it has asked for since its first frame.
 - *Uploads* are bytes that the host copies for a frame: the median while the camera moves. What a still scene copies is tested (`tests/vkpt/still_test.cpp`).
 """
 
@@ -124,22 +124,22 @@ def percent(value, same="as much"):
     return same if abs(share) < 0.05 else f"{abs(share):.1f}% {'more' if share > 0 else 'less'}"
 
 
+# Columns of what everything costs over the level's own: title, its ratio in a part, and how a cell shows it.
+OVERVIEW = (
+    ("frame, all over auto", lambda part: ratio_of_time(part, "all", "frame_ms"), interval_text),
+    ("path tracing, all over auto", lambda part: ratio_of_time(part, "all", "path_ms"), interval_text),
+    ("memory, all over auto", lambda part: ratio(part, "all", "memory_bytes"), tables.number),
+    ("compile, all over auto", lambda part: ratio(part, "all", "compile_s"), tables.number),
+    ("code, all over auto", lambda part: ratio(part, "all", "code_bytes"), tables.number),
+)
+
+
 def overview(parts):
     """Everything over the level's own, with geometric means."""
-    head = ["level", "compiled for", "frame, all over auto", "path tracing, all over auto", "compile, s", "compile, all over auto", "code, KiB",
-            "code, all over auto"]
-    lines, columns = [], [[], [], [], []]
-    for part in parts:
-        own = row_of(part, "auto")
-        values = [ratio_of_time(part, "all", "frame_ms"), ratio_of_time(part, "all", "path_ms")]
-        more = [ratio(part, "all", "compile_s"), ratio(part, "all", "code_bytes")]
-        for column, value in zip(columns, [*(value and value["value"] for value in values), *more]):
-            column.append(value)
-        lines.append([part["level"], ", ".join(part["features"]), *map(interval_text, values), tables.number(own["compile_s"]["value"]),
-                      tables.number(more[0]), tables.number(own["code_bytes"]["value"] and own["code_bytes"]["value"] / 1024), tables.number(more[1])])
-    means = [mean_text(column) for column in columns]
-    lines.append(["geometric mean", "", means[0], means[1], "", means[2], "", means[3]])
-    return head, lines
+    lines = [[part["level"], ", ".join(part["features"]), *(show(found(part)) for _, found, show in OVERVIEW)] for part in parts]
+    means = [mean_text(value["value"] if isinstance(value, dict) else value for value in (found(part) for part in parts) if value is not None)
+             for _, found, _ in OVERVIEW]
+    return ["level", "compiled for", *(title for title, _, _ in OVERVIEW)], [*lines, ["geometric mean", "", *means]]
 
 
 def passes(parts):
