@@ -24,7 +24,7 @@ Shaders are compiled for what a level has ([frame.md](../internals/frame.md#feat
 - *Path tracing* is the time of camera rays, direct light and indirect light; *frame* is all that a frame takes.
 - *Code* is what is left of the shaders that depend on features: SPIR-V whose constants have their values, without what no invocation can reach. The driver's compiler begins with that. This driver does not tell how much machine code it makes.
 - *Compile* is the time that the driver takes for these shaders, up to the end of their first dispatch. Its caches are off. It was measured once a row.
-- *Memory* is that of all buffers and images. What the driver takes for compiled shaders is not counted. Rows of a level share one renderer, and a row takes what it has asked for since its first frame.
+- *Memory* is that of all buffers and images. What the driver takes for compiled shaders is not counted. Rows of a level share one renderer, whose buffers do not shrink, except that caches come and go with their feature.
 - *Uploads* are bytes that the host copies for a frame: the median while the camera moves. What a still scene copies is tested (`tests/vkpt/still_test.cpp`).
 """
 

@@ -3,9 +3,7 @@
 
 #include "common/log.h"
 #include "formats/bsp.h"
-#include "refresh/vkpt/light/list_sight.h"
 #include "refresh/vkpt/scene/light_set.h"
-#include "shared/guiding_types.h"
 
 #include <algorithm>
 #include <utility>
@@ -73,10 +71,8 @@ bool ClusterLists::prepare(const LightSet& lights) {
     bool renewed = false;
     if (sun_revision_ != lights.sun_revision()) {
         sun_revision_ = lights.sun_revision();
-        const LightLists lists = build(static_triangles(lights), "static", static_warned_);
-        static_pairs_ = lists.pair_count;
-        sight_ = sight_of(lists, lights);
-        renewed |= static_.set(lists);
+        static_lists_ = build(static_triangles(lights), "static", static_warned_);
+        renewed |= static_.set(static_lists_);
     }
     if (revision_ != lights.moving_revision()) {
         revision_ = lights.moving_revision();
@@ -90,22 +86,6 @@ bool ClusterLists::prepare(const LightSet& lights) {
         renewed |= counts_.set(std::as_bytes(std::span(counts)));
     }
     return renewed;
-}
-
-ClusterLists::Sight ClusterLists::sight_of(const LightLists& lists, const LightSet& lights) const {
-    Sight sight;
-    for (size_t cluster = 0; cluster < lister_.cluster_count(); ++cluster)
-        sight.longest = std::max(sight.longest, lists.ranges[cluster].count);
-    const bool sky =
-        lights.sun() != shader::NONE || std::ranges::any_of(lights.world(), &LightSource::flags);
-    if (sight.longest > shader::VLC_LARGEST_BUCKET || sky) return sight;
-    std::vector<shader::Light> lamps; // all lit: what is dark now may be switched on later
-    for (const LightSource& source : lights.world()) {
-        shader::Light& lamp = lamps.emplace_back(lights.lights()[lamps.size()]);
-        lamp.radiance = source.radiance * source.coverage;
-    }
-    sight.seen = part_in_sight(lister_.bsp(), lists, lamps);
-    return sight;
 }
 
 void ClusterLists::upload(gpu::FrameCommands& commands) {

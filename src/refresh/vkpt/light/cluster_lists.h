@@ -8,8 +8,6 @@
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/light/technique.h"
 
-#include <optional>
-
 namespace vigil::vkpt {
 
 class ClusterLists {
@@ -24,18 +22,14 @@ public:
     void upload(gpu::FrameCommands& commands);
     /// Puts the buffers at the bindings of light_list.glsl.
     void bind(LightTechnique::Bindings& bindings) const;
-    /// What there is to see of the lights of the static world.
-    struct Sight {
-        uint32_t longest = 0; ///< lights in the longest list of a cluster
-        /// part_in_sight(), where no list is longer than the largest bucket, and none has sky or
-        /// sun.
-        std::optional<double> seen{};
-    };
-    const Sight& sight() const { return sight_; }
+    /// Of the static world's lights.
+    const LightLists& static_lists() const { return static_lists_; }
+    /// Of the level.
+    const Bsp& bsp() const { return lister_.bsp(); }
     /// Triangles of lights that can move, and shine.
     size_t moving_count() const { return moving_count_; }
     /// Lengths of all lists, added up.
-    uint64_t pair_count() const { return static_pairs_ + moving_pairs_; }
+    uint64_t pair_count() const { return static_lists_.pair_count + moving_pairs_; }
 
 private:
     struct ListBuffers {
@@ -50,7 +44,6 @@ private:
 
     /// What fits into the device's buffers, which grow by half.
     static LightListLimits limits_of(const gpu::Device& device);
-    Sight sight_of(const LightLists& lists, const LightSet& lights) const;
     LightLists build(std::span<const LightTriangle> lights, const char* which, bool& warned) const;
 
     const LightLister& lister_;
@@ -58,8 +51,8 @@ private:
     ListBuffers static_, moving_;
     gpu::GrowingBuffer counts_;
     uint64_t revision_ = 0, sun_revision_ = 0;
-    uint64_t static_pairs_ = 0, moving_pairs_ = 0;
-    Sight sight_;
+    LightLists static_lists_;
+    uint64_t moving_pairs_ = 0;
     size_t moving_count_ = 0;
     bool static_warned_ = false, moving_warned_ = false; // that lists were refused
 };
