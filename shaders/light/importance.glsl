@@ -19,7 +19,7 @@ const float LIGHT_IMPORTANCE_MOST = 1e18;
 /// The light as the triangle that it is seen as from a position.
 Light load_light(uint light, vec3 position) {
     Light seen = load_light(light);
-    if (HAS_ENVIRONMENT && HAS_SUN) seen = light_from(seen, position);
+    if (HAS_ENVIRONMENT) seen = light_from(seen, position);
     return seen;
 }
 

@@ -48,7 +48,7 @@ uint light_of_list(LightList list, uint index) {
 
 /// Takes the sun out of a list that holds it, as the last one of those that do not move. False if it does not.
 bool take_sun(inout LightList list) {
-    if (!(HAS_ENVIRONMENT && HAS_SUN) || list.static_count == 0u) return false;
+    if (!HAS_ENVIRONMENT || list.static_count == 0u) return false;
     if (load_word(static_ids, list.static_first + list.static_count - 1u) != frame.sun_light) return false;
     list.static_count -= 1u;
     list.count -= 1u;

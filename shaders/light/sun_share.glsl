@@ -8,7 +8,7 @@
 
 /// Part of the draws that are of the sun; `others` is whether there is another light.
 float sun_share(Surface surface, bool others) {
-    if (!(HAS_ENVIRONMENT && HAS_SUN) || frame.sun_light == NONE) return 0.0;
+    if (!HAS_ENVIRONMENT || frame.sun_light == NONE) return 0.0;
     if (!(light_importance(prepare_importance(surface), frame.sun_light) > 0.0)) return 0.0;
     return others ? 0.5 : 1.0;
 }

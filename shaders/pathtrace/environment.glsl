@@ -9,7 +9,7 @@
 #include "shared/triangle_light.h"
 
 bool is_environment(Light light) { return HAS_ENVIRONMENT && light.flags != 0u; }
-bool is_sun(Light light) { return HAS_ENVIRONMENT && HAS_SUN && (light.flags & LIGHT_SUN) != 0u; }
+bool is_sun(Light light) { return HAS_ENVIRONMENT && (light.flags & LIGHT_SUN) != 0u; }
 
 /// A direction of the sun. geometry is 1, as for a point of all its flux: so it is finite for a sun without extent.
 LightSample sample_sun(vec2 u) {

@@ -50,7 +50,7 @@ vec3 sky_box_radiance(vec3 direction) {
     return value;
 }
 
-bool meets_sun(vec3 direction) { return HAS_SUN && in_cone(direction, frame.sun_direction, frame.sun_size); }
+bool meets_sun(vec3 direction) { return in_cone(direction, frame.sun_direction, frame.sun_size); }
 
 /// Radiance of both.
 vec3 sky_radiance(vec3 direction) {

@@ -111,7 +111,7 @@ vec2 animate_uv(vec2 uv, uint material_flags) {
 Texture material_texture(Material material) {
     uint index = material.texture;
     // Quake II shows two animation frames per second.
-    if (HAS_ANIMATION && material.frame_count > 1u) index += uint(turn.time_s * 2.0) % material.frame_count;
+    if (material.frame_count > 1u) index += uint(turn.time_s * 2.0) % material.frame_count;
     return load_texture(index);
 }
 

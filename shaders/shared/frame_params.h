@@ -24,7 +24,7 @@ struct FrameParams {
     vec3 sky_radiance;   // factor on the sky's texels; the radiance itself if there is no texture
     vec3 sun_direction;  // unit, towards the sun
     vec3 sun_radiance;   // of the disc; 0 without a sun, or if it is a point
-    float sun_size;      // 1 - cos(half the angular diameter)
+    float sun_size;      // 1 - cos(half the angular diameter); below 0 there is no sun
     vec3 sun_flux;       // radiance times solid angle of the disc
     uint sun_light;      // id of the sun, or NONE: it is no light
     // What the filter needs; shared/filter_types.h.

@@ -262,7 +262,7 @@ TEST_F(Analytic, EvenSkyOverACourt) {
     shot.view = {{-80, -60, 100}, {60, 160, 0}, 60};
     const auto expect_sky = [&](std::string_view label, int paths) {
         const PictureBatches seen = batches(shot, batch_count, paths, 500, block);
-        EXPECT_FALSE(renderer().scene()->features().sun);
+        EXPECT_FALSE(renderer().scene()->has_sun());
         const std::vector<double> expected =
             expect_on_floor(floor_points(), block, [&](glm::dvec2 p) {
                 return rho * sky * form_factor(-256 - p.x, 256 - p.x, -256 - p.y, 256 - p.y, 192);

@@ -40,7 +40,7 @@ vkpt::SidePass light_technique_pass(vkpt::VkptRenderer& renderer, std::string_vi
                                     bool caches) {
     vkpt::SceneFeatures features; // of any scene
     features.instances = features.translucent = features.lights = true;
-    features.sky = features.sun = features.environment = true;
+    features.sky = features.environment = true;
     features.caches = caches;
     return test_pass(renderer, fmt::format("light_technique.{}", technique), features);
 }

@@ -28,6 +28,8 @@ Shaders are compiled for what a level has ([frame.md](../internals/frame.md#feat
 - *Uploads* are bytes that the host copies for a frame: the median while the camera moves. What a still scene copies is tested (`tests/vkpt/still_test.cpp`).
 """
 
+FEATURES = Path(__file__).resolve().parents[2] / "shaders/shared/features.h"
+
 # Buffers by what they are for; the first row whose words a name contains.
 KINDS = (
     ("geometry", ("nodes", "triangles", "primitives", "corners", "scratch", "instances"), ("octree",)),
@@ -227,6 +229,8 @@ def conclusion(parts, name):
         said.append("**The constant saves code alone.**")
     else:
         said.append("**The constant saves nothing that stands out on any level.**")
+    if f"ROW({name}," not in FEATURES.read_text():
+        said.append("It has been removed since.")
     return " ".join(said)
 
 

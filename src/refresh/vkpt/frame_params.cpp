@@ -33,7 +33,7 @@ void set_scene(FrameDescription& params, const Scene& scene, const refresh::Sett
     params.sky_radiance = sky.radiance * settings.pt_sky_scale;
     const Sun sun = sky.sun(settings);
     params.sun_direction = sun.direction;
-    params.sun_size = shader::cone_size(sun.half_angle);
+    params.sun_size = scene.has_sun() ? shader::cone_size(sun.half_angle) : -1.0f;
     params.sun_radiance = sun.radiance();
     params.sun_flux = sun.flux();
     params.sun_light = scene.lights().sun();

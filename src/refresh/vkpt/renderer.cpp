@@ -311,8 +311,7 @@ void VkptRenderer::update_accumulation(const FrameDescription& params) {
     // the view's. Tone mapping and views come after the mean. Time only moves textures, which
     // teaches guiding nothing.
     shader::FrameParams relevant = params;
-    const bool textures_move = scene_->features().liquid || scene_->features().animation;
-    const float time = textures_move ? params.time_s : 0.0f;
+    const float time = scene_->textures_move() ? params.time_s : 0.0f;
     relevant.settings = {}; // compared by what they affect
     const uint64_t more[] = {scene_->revision(), use_ray_query(settings_), split_column()};
     std::vector<std::byte> key(sizeof(relevant) + sizeof(more));

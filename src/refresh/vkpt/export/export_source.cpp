@@ -151,7 +151,7 @@ ExportScene export_scene_of(const Scene& scene, const shader::FrameParams& param
                                                      std::string(sky_sides[side].suffix));
         }
     }
-    if (scene.features().sun)
+    if (scene.has_sun())
         out.sun = ExportSun{sun.direction, sun.irradiance, 2.0f * glm::degrees(sun.half_angle)};
     const float tan_right = glm::length(params.camera_right);
     const float tan_up = glm::length(params.camera_up);

@@ -28,6 +28,10 @@ constexpr size_t least_particles = 256;
 // How far a shell stands off its model, as in Quake II, in map units.
 constexpr float shell_swell = 4.0f, front_shell_swell = 0.5f;
 
+bool is_animated(const shader::Material& material) {
+    return material.frame_count > 1;
+}
+
 } // namespace
 
 Scene::Scene(const gpu::Device& device, const FileSystem& files, std::shared_ptr<const Level> level,
@@ -402,7 +406,6 @@ SceneFeatures Scene::features_of_surfaces() const {
         features.gloss |= (material.flags & shader::MATERIAL_GLOSSY) != 0;
         features.liquid |=
             (material.flags & (shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)) != 0;
-        features.animation |= material.frame_count > 1;
     }
     features.translucent =
         std::any_of(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
@@ -414,7 +417,6 @@ SceneFeatures Scene::features_of_surfaces() const {
 void Scene::update_features(bool any_instances) {
     if (static_dirty_ || !changed_.empty()) surface_features_ = features_of_surfaces();
     SceneFeatures features = surface_features_;
-    features.sun = features.sky && sky_.sun_irradiance != glm::vec3(0.0f);
     for (const shader::Instance& instance : instances_) {
         features.effects |=
             instance.flags != shader::INSTANCE_PLAIN || instance.glow != glm::vec3(0.0f);
@@ -424,6 +426,10 @@ void Scene::update_features(bool any_instances) {
     features.environment = features.sky && environment_on_;
     features.instances = any_instances;
     features_ = features;
+}
+
+bool Scene::textures_move() const {
+    return features_.liquid || std::ranges::any_of(materials_->materials(), is_animated);
 }
 
 SceneFeatures Scene::compiled_features(const refresh::Settings& settings) const {
@@ -449,8 +455,7 @@ refresh::SceneReport Scene::report() const {
         std::ranges::count_if(triangles_, [](const shader::BvhTriangle& t) {
             return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
         });
-    const uint64_t animated = std::ranges::count_if(
-        materials, [](const shader::Material& m) { return m.frame_count > 1; });
+    const uint64_t animated = std::ranges::count_if(materials, is_animated);
     refresh::SceneReport report;
     report.level = level_->name;
     report.triangles = triangles_.size();
@@ -465,8 +470,8 @@ refresh::SceneReport Scene::report() const {
          !features_.sky ? "no sky faces"
                         : fmt::format("faces show sky \"{}\"{}", sky_.name,
                                       sky_.texture ? "" : " (no pictures: an even colour)")},
-        {"sun", features_.sun,
-         features_.sun ? "worldspawn has _sun_light" : "no _sun_light, or no sky faces"},
+        {"sun", has_sun(),
+         has_sun() ? "worldspawn has _sun_light" : "no _sun_light, or no sky faces"},
         {"sky as light", features_.environment,
          features_.sky ? "windows to the sky, and the sun" : "no sky faces",
          features_.environment
@@ -477,7 +482,7 @@ refresh::SceneReport Scene::report() const {
         {"gloss", features_.gloss, "materials", flagged(shader::MATERIAL_GLOSSY)},
         {"liquids", features_.liquid, "warping or flowing materials",
          flagged(shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)},
-        {"animation", features_.animation, "animated materials", animated},
+        {"animation", animated > 0, "animated materials", animated},
         {"instances", features_.instances, "besides the static world",
          instances_.empty() ? 0 : instances_.size() - 1},
         {"effects", features_.effects,

@@ -62,6 +62,10 @@ public:
     /// are lights only where pt_env_nee makes them so.
     SceneFeatures compiled_features(const refresh::Settings& settings) const;
     const SkyDescription& sky() const { return sky_; }
+    /// Whether sky faces show a sun.
+    bool has_sun() const { return features_.sky && sky_.sun_irradiance != glm::vec3(0.0f); }
+    /// Whether time alone changes what surfaces look like.
+    bool textures_move() const;
     const LightSet& lights() const { return lights_; }
     /// Of the static world's triangles.
     const Bounds& world_bounds() const { return placed_.front().bounds; }
