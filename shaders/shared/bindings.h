@@ -60,7 +60,11 @@
 #define BINDING_LIGHT_PARENTS 2
 #define BINDING_LIGHT_PLACES 6
 #define BINDING_LIGHT_NODES 7 // R
-#define TECHNIQUE_BINDING_COUNT 8
+#define BINDING_LIGHT_CUTS 8  // R, with the next three, W, and records of groups at BINDING_LIGHT_NODES: light/cut_lists.glsl
+#define BINDING_CUT_ENTRIES 1
+#define BINDING_CUT_ORDER 2
+#define BINDING_CUT_PLACES 3
+#define TECHNIQUE_BINDING_COUNT 9
 
 // Set 2, declared in guiding/octree.glsl. Vulkan 1.2 lets a device stop at few storage buffers per stage, and Mesa 22.3's
 // software driver at 32 for all sets together.

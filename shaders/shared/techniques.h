@@ -10,6 +10,7 @@
     ROW(sll, "Static Light Lists of Quake II RTX. They weight the lights of the surface's PVS cluster.") \
     ROW(lh, "Light Hierarchy: a tree over all lights. It is walked by what each part may add, and sees no walls.") \
     ROW(vlc, "Visibility Light Cache. It weights the lights that samples of the last frames have seen nearby.") \
+    ROW(cut, "Light cuts: each PVS cluster weights single lights nearby and groups of lights farther off.") \
     ROW(uniform, "Every light of the level with equal probability. A baseline.") \
     ROW(power, "Every light of the level in proportion to its emitted power. A baseline.") \
     ROW(ris, "Resampled importance sampling: some lights of the level, weighted. A baseline that knows no clusters.") \

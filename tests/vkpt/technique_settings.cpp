@@ -25,6 +25,8 @@ const TechniqueSettings known[] = {
      {8, 1, 1.0, true}},
     {"lh", "Default", {}, {}},
     {"lh", "ThreeWide", {{"pt_lh_width", "3"}, {"pt_lh_leaf", "1"}}, {}, true, 0.3},
+    {"cut", "Default", {}, {}},
+    {"cut", "FourEntries", {{"pt_cut_size", "4"}}, {}, true, 0.2},
     // What looks for lights throws away those that the cache has.
     {"vlc", "Default", {}, {}},
     {"vlc", "FourAtMost", {{"pt_vlc_bucket", "4"}, {"pt_explore_local", "0.5"}}, {}, true, 0.2},

@@ -46,6 +46,8 @@ EXPLORE_SHARE = part("explore_share", "tests/light/explore_memory_test.cpp", com
 LIGHT_TREE = part("light_tree", "tests/light/light_tree_test.cpp", LIGHT + "light_tree.cpp", computes=False)
 HIERARCHY = part("light_hierarchy", "tests/light/light_hierarchy_test.cpp", "tests/light/light_hierarchy_oracle.cpp",
                  LIGHT + "light_hierarchy.cpp", LIGHT + "light_tree.cpp")
+LIGHT_CUTS = part("light_cuts", "tests/light/light_cuts_test.cpp", LIGHT + "light_cuts.cpp", LIGHT + "light_tree.cpp",
+                  libraries=("vigil_level",), computes=False)
 LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/list_sight_test.cpp", "tests/light/cluster_margin_test.cpp",
              LIGHT + "light_lists.cpp", LIGHT + "list_sight.cpp", libraries=("vigil_level",), computes=False)
 PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
@@ -204,6 +206,15 @@ FAULTS = [
     Fault("light hierarchy: 5% of a far child's weight go to its neighbour", "shaders/shared/light_hierarchy.h",
           "    light_node_pass(choice, 1u, group.y, below, target);",
           "    light_node_pass(choice, 1u, group.y, 0.95f * below, target);", HIERARCHY, "LightHierarchy.Draws*"),
+    Fault("light cuts: a large group has the energy of one half", "src/refresh/vkpt/light/light_cuts.cpp",
+          "groups_[group.left].energy + groups_[group.right].energy", "groups_[group.left].energy",
+          LIGHT_CUTS, "LightCuts.Groups*", quick=True),
+    Fault("light cuts: a group's lights are all said to face its axis", "shaders/shared/light_cut.h",
+          "facing + facing_reach + group.spread * across <= -slack", "facing + facing_reach <= -slack",
+          LIGHT_CUTS, "LightCuts.WeighNothing*", quick=True),
+    Fault("light cuts: a quarter of the entries asked for", "src/refresh/vkpt/light/light_cuts.cpp",
+          "while (open.size() < size &&", "while (open.size() < size / 4 &&",
+          LIGHT_CUTS, "LightCuts.DrawNearly*", quick=True),
 
     # Lights and clusters that may see each other.
     Fault("a light that reaches into several clusters is missing from one's list",
@@ -320,6 +331,9 @@ FAULTS = [
     Fault("lh: each step to a child counts 1% too likely", "shaders/light/lh.glsl",
           "        probability *= share;", "        probability *= 1.01 * share;",
           TECHNIQUE, "*KeepsItsPromises/lh_Default"),
+    Fault("cut: a light of a group counts 4% too likely", "shaders/light/cut_draw.glsl",
+          "probability * (walk.weight / walk.sum)", "1.04 * probability * (walk.weight / walk.sum)",
+          TECHNIQUE, "*KeepsItsPromises/cut_FourEntries"),
     Fault("mixture of vlc: 4% too few draws from the cache", "shaders/light/vlc.glsl",
           "u.x - shares.cache; // below 0: the cache", "u.x - 0.96 * shares.cache; // below 0: the cache", TECHNIQUE, "*KeepsItsPromises/vlc_FourAtMostWithoutLists"),
     Fault("what vlc draws beside the cache is drawn 4% too rarely", "shaders/pathtrace/next_event.glsl",

@@ -45,14 +45,18 @@ std::vector<LightTriangle> static_triangles(const LightSet& lights) {
     return triangles;
 }
 
-} // namespace
-
-LightListLimits ClusterLists::limits_of(const gpu::Device& device) {
+/// What fits into the device's buffers, which grow by half.
+LightListLimits limits_of(const gpu::Device& device) {
     LightListLimits limits;
     const uint64_t buffer_ids = device.features().max_storage_buffer_bytes / sizeof(uint32_t);
     limits.ids = std::min(limits.ids, buffer_ids - buffer_ids / 3);
     return limits;
 }
+
+} // namespace
+
+ClusterLists::ClusterLists(const TechniqueContext& context)
+    : lister_(context.lister), limits_(limits_of(context.device)) {}
 
 LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char* which,
                                bool& warned) const {
@@ -67,39 +71,21 @@ LightLists ClusterLists::build(std::span<const LightTriangle> lights, const char
     return lists;
 }
 
-bool ClusterLists::prepare(const LightSet& lights) {
-    bool renewed = false;
+ClusterLists::Changes ClusterLists::prepare(const LightSet& lights) {
+    Changes changes;
     if (sun_revision_ != lights.sun_revision()) {
         sun_revision_ = lights.sun_revision();
-        static_lists_ = build(static_triangles(lights), "static", static_warned_);
-        renewed |= static_.set(static_lists_);
+        still_ = build(static_triangles(lights), "static", still_warned_);
+        changes.still = true;
     }
     if (revision_ != lights.moving_revision()) {
         revision_ = lights.moving_revision();
-        const std::vector<LightTriangle> moving = moving_triangles(lights);
-        moving_count_ = moving.size();
-        const LightLists lists = build(moving, "moving", moving_warned_);
-        moving_pairs_ = lists.pair_count;
-        renewed |= moving_.set(lists);
-        const uint32_t counts[2] = {static_cast<uint32_t>(lists.ranges.size()),
-                                    moving.empty() ? 0u : 1u};
-        renewed |= counts_.set(std::as_bytes(std::span(counts)));
+        const std::vector<LightTriangle> triangles = moving_triangles(lights);
+        moving_count_ = triangles.size();
+        moving_ = build(triangles, "moving", moving_warned_);
+        changes.moving = true;
     }
-    return renewed;
-}
-
-void ClusterLists::upload(gpu::FrameCommands& commands) {
-    for (gpu::GrowingBuffer* buffer :
-         {&static_.ranges, &static_.ids, &moving_.ranges, &moving_.ids, &counts_})
-        buffer->upload(commands);
-}
-
-void ClusterLists::bind(LightTechnique::Bindings& bindings) const {
-    bindings[BINDING_STATIC_RANGES] = &static_.ranges.buffer();
-    bindings[BINDING_STATIC_IDS] = &static_.ids.buffer();
-    bindings[BINDING_MOVING_RANGES] = &moving_.ranges.buffer();
-    bindings[BINDING_MOVING_IDS] = &moving_.ids.buffer();
-    bindings[BINDING_LIST_COUNTS] = &counts_.buffer();
+    return changes;
 }
 
 } // namespace vigil::vkpt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `sll`: Static Light Lists (shaders/light/sll.glsl), and what they learn about shadows.
-#include "refresh/vkpt/light/cluster_lists.h"
+#include "refresh/vkpt/light/list_buffers.h"
 #include "refresh/vkpt/light/shadow_statistics.h"
 
 namespace vigil::vkpt {
@@ -16,7 +16,7 @@ public:
         learns_ = frame.settings.pt_sll_stats != 0;
         bool renewed = lists_.prepare(frame.lights);
         if (learns_)
-            renewed |= shadows_.reserve(lists_.pair_count());
+            renewed |= shadows_.reserve(lists_.lists().pair_count());
         else
             shadows_.forget(); // what was counted before it was switched off is out of date later
         return renewed;
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    ClusterLists lists_;
+    ListBuffers lists_;
     ShadowStatistics shadows_;
     bool learns_ = false; // as the last frame said
 };

@@ -3,8 +3,8 @@
 // (refresh/vkpt/guiding); what is made here is for the part of the samples that looks for new
 // lights: the lists of the clusters, and the table of all lights. Where lists do as well, there are
 // no caches, and its shader draws from lists alone.
-#include "refresh/vkpt/light/cluster_lists.h"
 #include "refresh/vkpt/light/exploration_table.h"
+#include "refresh/vkpt/light/list_buffers.h"
 #include "refresh/vkpt/light/list_sight.h"
 #include "refresh/vkpt/scene/light_set.h"
 #include "shared/features.h"
@@ -53,7 +53,7 @@ private:
         if (looked_at_ != frame.lights.sun_revision()) look(frame.lights);
         const auto bucket = static_cast<uint64_t>(frame.settings.pt_vlc_bucket);
         const float enough = frame.settings.pt_vlc_enough;
-        crowded_ |= longest_ + lists_.moving_count() > 4 * bucket;
+        crowded_ |= longest_ + lists_.lists().moving_count() > 4 * bucket;
         caches_ = enough == 0.0f || longest_ > bucket ||
                   !(seen_.value_or(0.0) >= static_cast<double>(enough)) || crowded_ ||
                   forces_feature(frame.settings.pt_features, &SceneFeatures::caches);
@@ -62,7 +62,7 @@ private:
     /// What there is to see of the lights of the static world.
     void look(const LightSet& lights) {
         looked_at_ = lights.sun_revision();
-        const LightLists& lists = lists_.static_lists();
+        const LightLists& lists = lists_.lists().still();
         longest_ = 0;
         for (size_t cluster = 0; cluster + 1 < lists.ranges.size(); ++cluster)
             longest_ = std::max(longest_, lists.ranges[cluster].count);
@@ -75,11 +75,11 @@ private:
             shader::Light& lamp = lamps.emplace_back(lights.lights()[lamps.size()]);
             lamp.radiance = source.radiance * source.coverage;
         }
-        seen_ = part_in_sight(lists_.bsp(), lists, lamps);
+        seen_ = part_in_sight(lists_.lists().bsp(), lists, lamps);
     }
 
     ExplorationTable table_;
-    ClusterLists lists_;
+    ListBuffers lists_;
     uint64_t looked_at_ = 0;       // revision of the sun that the next two are of
     uint32_t longest_ = 0;         // lights in the longest list of a cluster
     std::optional<double> seen_{}; // part_in_sight(), where no list is longer than the largest

@@ -40,7 +40,8 @@ std::vector<gpu::BindingKind> technique_bindings() {
     std::vector<gpu::BindingKind> kinds(TECHNIQUE_BINDING_COUNT, gpu::BindingKind::Words);
     for (const uint32_t storage : {BINDING_SHADOW_STATISTICS, BINDING_LIST_COUNTS})
         kinds[storage] = gpu::BindingKind::Storage;
-    kinds[BINDING_LIGHT_NODES] = gpu::BindingKind::Records;
+    for (const uint32_t records : {BINDING_LIGHT_NODES, BINDING_LIGHT_CUTS})
+        kinds[records] = gpu::BindingKind::Records;
     return kinds;
 }
 

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What light cuts must be, whatever the lights: each light of a list in one entry of its cluster's
+// cut; groups that hold their lights, and weigh nothing only where none of them can shine; and
+// fine enough that a draw is nearly as good as one that weighs every light.
+#include "refresh/vkpt/light/light_cuts.h"
+
+#include "formats/bsp.h"
+#include "shared/random.h"
+#include "shared/sampling.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace vigil::test {
+namespace {
+
+using shader::CutGroup;
+using shader::Light;
+using shader::Random;
+
+constexpr uint32_t cluster_count = 5;
+constexpr float room = 512.0f; // width of a cluster, in map units
+
+/// Rooms in a row along x.
+Bsp rooms() {
+    Bsp bsp;
+    for (uint32_t cluster = 0; cluster < cluster_count; ++cluster) {
+        BspLeaf& leaf = bsp.leafs.emplace_back();
+        leaf.cluster = static_cast<int32_t>(cluster);
+        leaf.mins = {room * static_cast<float>(cluster), 0.0f, 0.0f};
+        leaf.maxs = leaf.mins + glm::vec3(room, room, 256.0f);
+    }
+    return bsp;
+}
+
+/// Small lamps anywhere in the rooms; two of three look down.
+std::vector<Light> lamps(uint32_t count, uint32_t seed) {
+    Random random = shader::random_begin({count, seed}, 0, 0);
+    std::vector<Light> lights;
+    for (uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 at =
+            glm::vec3(room * cluster_count, room, 256.0f) * shader::random_next3(random);
+        glm::vec3 e1(8.0f, 0.0f, 0.0f), e2(0.0f, -8.0f, 0.0f);
+        if (i % 3 == 0) {
+            const shader::Basis basis =
+                shader::make_basis(shader::sample_sphere(shader::random_next2(random)));
+            e1 = 8.0f * basis.tangent;
+            e2 = 8.0f * basis.bitangent;
+        }
+        lights.push_back({at, e1, e2, 10.0f * shader::random_next3(random) + 0.1f, 0});
+    }
+    return lights;
+}
+
+/// Each cluster lists two of three lights, clusters 0 and 1 the same; the last list has all.
+LightLists lists_of(uint32_t first, uint32_t count) {
+    LightLists lists;
+    for (uint32_t list = 0; list <= cluster_count; ++list) {
+        if (list == 1) {
+            lists.ranges.push_back(lists.ranges.back());
+            continue;
+        }
+        LightRange range{static_cast<uint32_t>(lists.ids.size()), 0};
+        for (uint32_t id = first; id < first + count; ++id)
+            if (list == cluster_count || (id * 7919u >> 3) % 3 != list % 3) lists.ids.push_back(id);
+        range.count = static_cast<uint32_t>(lists.ids.size()) - range.first;
+        lists.ranges.push_back(range);
+    }
+    return lists;
+}
+
+/// The lights of an entry.
+std::vector<uint32_t> lights_of(const LightCuts& cuts, uint32_t entry) {
+    if ((entry & shader::CUT_GROUP) == 0) return {entry};
+    const CutGroup& group = cuts.groups()[entry & ~shader::CUT_GROUP];
+    const auto lights = cuts.order().subspan(group.first, group.count);
+    return {lights.begin(), lights.end()};
+}
+
+struct Point {
+    glm::vec3 position, normal;
+};
+
+Point point_in(Random& random, uint32_t cluster) {
+    const glm::vec3 at = glm::vec3(room, room, 256.0f) * shader::random_next3(random);
+    return {at + glm::vec3(room * static_cast<float>(cluster), 0.0f, 0.0f),
+            shader::sample_sphere(shader::random_next2(random))};
+}
+
+/// As light/cut_draw.glsl weighs a group.
+double group_weight(const LightCuts& cuts, std::span<const Light> lights, const CutGroup& group,
+                    const shader::LtcSurface& surface) {
+    const shader::CutWeight weight = shader::cut_weight(group, surface, true);
+    if (!(weight.importance > 0.0f && weight.width > shader::CUT_NEAR &&
+          group.count <= shader::CUT_WALK))
+        return static_cast<double>(weight.importance);
+    double sum = 0.0;
+    for (const uint32_t id : cuts.order().subspan(group.first, group.count))
+        sum += static_cast<double>(shader::ltc_importance(surface, lights[id], true));
+    return sum;
+}
+
+TEST(LightCuts, HaveEachLightOfAListOnce) {
+    const Bsp bsp = rooms();
+    for (const uint32_t count : {0u, 1u, 2u, 40u, 3000u}) {
+        const std::vector<Light> lights = lamps(count, 1);
+        const LightLists lists = lists_of(0, count);
+        for (const uint32_t size : {1u, 7u, 32u}) {
+            SCOPED_TRACE(fmt::format("{} lights, {} entries", count, size));
+            LightCuts cuts;
+            cuts.set_still(bsp, {lists, 0, lights}, size);
+            ASSERT_EQ(cuts.cuts().size(), lists.ranges.size());
+            for (size_t list = 0; list < lists.ranges.size(); ++list) {
+                const ClusterCut& cut = cuts.cuts()[list];
+                EXPECT_LE(cut.count, size);
+                std::vector<uint32_t> found;
+                for (const uint32_t entry : cuts.entries().subspan(cut.first, cut.count)) {
+                    const std::vector<uint32_t> some = lights_of(cuts, entry);
+                    found.insert(found.end(), some.begin(), some.end());
+                }
+                std::ranges::sort(found);
+                const auto wanted = lists.list(list);
+                EXPECT_TRUE(std::ranges::equal(found, wanted));
+                const auto ordered = cuts.order().subspan(cut.first_light, cut.light_count);
+                EXPECT_EQ(ordered.size(), wanted.size());
+                EXPECT_TRUE(std::ranges::is_sorted(ordered, {},
+                                                   [&](uint32_t id) { return cuts.places()[id]; }));
+            }
+        }
+    }
+}
+
+TEST(LightCuts, GroupsHoldTheirLights) {
+    const std::vector<Light> lights = lamps(3000, 2);
+    LightCuts cuts;
+    cuts.set_still(rooms(), {lists_of(0, 3000), 0, lights}, 32);
+    cuts.set_energies(lights);
+    for (const CutGroup& group : cuts.groups()) {
+        double energy = 0.0;
+        for (const uint32_t id : cuts.order().subspan(group.first, group.count)) {
+            const Light& light = lights[id];
+            for (const glm::vec3& corner : {light.v0, light.v0 + light.e1, light.v0 + light.e2})
+                for (glm::length_t axis = 0; axis < 3; ++axis)
+                    EXPECT_LE(std::abs(corner[axis] - group.middle[axis]),
+                              group.reach[axis] + 1e-3f);
+            EXPECT_LE(glm::distance(shader::light_normal(light), group.axis), group.spread);
+            energy +=
+                static_cast<double>(shader::light_area(light) * shader::luminance(light.radiance));
+        }
+        EXPECT_NEAR(static_cast<double>(group.energy) / energy, 1.0, 1e-5);
+        if (group.count <= shader::CUT_WALK) continue;
+        const CutGroup &left = cuts.groups()[group.left], &right = cuts.groups()[group.right];
+        EXPECT_EQ(left.first, group.first);
+        EXPECT_EQ(right.first, left.first + left.count);
+        EXPECT_EQ(left.count + right.count, group.count);
+    }
+}
+
+TEST(LightCuts, WeighNothingOnlyWhereNoLightCanShine) {
+    const std::vector<Light> lights = lamps(600, 3);
+    LightCuts cuts;
+    cuts.set_still(rooms(), {lists_of(0, 600), 0, lights}, 8);
+    cuts.set_energies(lights);
+    Random random = shader::random_begin({3, 3}, 0, 0);
+    uint32_t shone = 0, none = 0;
+    for (uint32_t i = 0; i < 4000; ++i) {
+        Point point = point_in(random, i % cluster_count);
+        const CutGroup& group = cuts.groups()[i % cuts.groups().size()];
+        if (i % 4 == 0) { // on a light, in its plane or facing it
+            const Light& light = lights[cuts.order()[group.first]];
+            point.position = light.v0 + 0.3f * light.e1 + 0.3f * light.e2;
+            const glm::vec3 normal = shader::light_normal(light);
+            if (i % 8 == 0) point.position += 40.0f * shader::make_basis(normal).tangent;
+            point.normal = i % 3 == 0 ? -normal : shader::make_basis(normal).bitangent;
+        }
+        const shader::LtcSurface surface =
+            shader::ltc_prepare_diffuse(point.position, point.normal, 0.5f);
+        const float weight = shader::cut_weight(group, surface, true).importance;
+        ASSERT_TRUE(std::isfinite(weight) && weight >= 0.0f);
+        none += weight == 0.0f ? 1u : 0u;
+        for (const uint32_t id : cuts.order().subspan(group.first, group.count)) {
+            if (!(shader::ltc_importance(surface, lights[id], true) > 0.0f)) continue;
+            ++shone;
+            ASSERT_GT(weight, 0.0f) << "point " << i << " light " << id;
+        }
+    }
+    EXPECT_GT(shone, 4000u);
+    EXPECT_GT(none, 100u);
+}
+
+TEST(LightCuts, DrawNearlyAsWellAsAWalkPastAllLights) {
+    const std::vector<Light> lights = lamps(1000, 4);
+    const LightLists lists = lists_of(0, 1000);
+    LightCuts cuts;
+    cuts.set_still(rooms(), {lists, 0, lights}, 32);
+    cuts.set_energies(lights);
+    Random random = shader::random_begin({4, 4}, 0, 0);
+    // Second moments of estimates, over the squared mean: 1 if every light is weighed.
+    std::vector<double> relative;
+    double moments = 0.0, squares = 0.0;
+    for (uint32_t i = 0; i < 2000; ++i) {
+        const uint32_t cluster = i % cluster_count;
+        const Point point = point_in(random, cluster);
+        const shader::LtcSurface surface =
+            shader::ltc_prepare_diffuse(point.position, point.normal, 0.5f);
+        const ClusterCut& cut = cuts.cuts()[cluster];
+        double weights = 0.0, moment = 0.0, all = 0.0;
+        for (const uint32_t entry : cuts.entries().subspan(cut.first, cut.count)) {
+            double lit = 0.0;
+            for (const uint32_t id : lights_of(cuts, entry))
+                lit += static_cast<double>(shader::ltc_importance(surface, lights[id], true));
+            double weight = lit;
+            if ((entry & shader::CUT_GROUP) != 0)
+                weight =
+                    group_weight(cuts, lights, cuts.groups()[entry & ~shader::CUT_GROUP], surface);
+            weights += weight;
+            all += lit;
+            if (lit > 0.0) moment += lit * lit / weight;
+        }
+        if (!(all > 0.0)) continue;
+        relative.push_back(moment * weights / (all * all));
+        moments += moment * weights;
+        squares += all * all;
+    }
+    ASSERT_GT(relative.size(), 1900u);
+    std::ranges::sort(relative);
+    EXPECT_LT(moments / squares, 1.1);                   // of a picture of these places: 1.08
+    EXPECT_LT(relative[relative.size() / 2], 1.2);       // 1.14
+    EXPECT_LT(relative[relative.size() * 9 / 10], 1.75); // 1.61
+}
+
+TEST(LightCuts, KeepWhatStaysWhileOthersMove) {
+    const Bsp bsp = rooms();
+    std::vector<Light> lights = lamps(200, 5);
+    const LightLists still = lists_of(0, 150), moving = lists_of(150, 50);
+    LightCuts cuts;
+    cuts.set_still(bsp, {still, 0, std::span(lights).first(150)}, 16);
+    const std::vector<uint32_t> entries(cuts.entries().begin(), cuts.entries().end());
+    const auto of_moving = [&] {
+        const ClusterCut& cut = cuts.cuts()[cuts.still().cuts + 2];
+        std::set<uint32_t> found;
+        for (const uint32_t entry : cuts.entries().subspan(cut.first, cut.count))
+            for (const uint32_t id : lights_of(cuts, entry))
+                found.insert(id);
+        return found;
+    };
+    for (int frame = 0; frame < 3; ++frame) {
+        cuts.set_moving(bsp, {moving, 150, std::span(lights).subspan(150)}, 16);
+        EXPECT_TRUE(std::ranges::equal(cuts.entries().first(entries.size()), entries));
+        const auto wanted = moving.list(2);
+        EXPECT_EQ(of_moving(), std::set<uint32_t>(wanted.begin(), wanted.end()));
+        for (size_t id = 150; id < lights.size(); ++id)
+            lights[id].v0 += glm::vec3(64.0f, 0.0f, 0.0f);
+    }
+}
+
+TEST(LightCuts, HaveTheSunFirst) {
+    std::vector<Light> lights = lamps(20, 6);
+    lights.back().flags = shader::LIGHT_SUN;
+    LightCuts cuts;
+    cuts.set_still(rooms(), {lists_of(0, 20), 0, lights}, 4);
+    const ClusterCut& all = cuts.cuts()[cluster_count];
+    EXPECT_EQ(cuts.entries()[all.first], 19u);
+    EXPECT_EQ(all.count, 5u); // the cut, and the sun
+    EXPECT_EQ(all.light_count, 19u);
+}
+
+} // namespace
+} // namespace vigil::test
