@@ -255,15 +255,15 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     press("End Up Up Up Return"); // furnace, lamp, opensky, rooms
     ASSERT_TRUE(answered("furnace: ")) << "the level chosen in the menu was not loaded";
     press("Escape Down Down Down Down Right F3 Escape");
-    ASSERT_TRUE(answered("light sampling  uniform"));
+    ASSERT_TRUE(answered("light sampling  cut"));
 
     // Techniques by their keys, in play.
     press("t");
-    ASSERT_TRUE(answered("pt_nee \"power\""));
+    ASSERT_TRUE(answered("pt_nee \"uniform\""));
     press("g");
     ASSERT_TRUE(answered("pt_guide \"brdf\""));
     press("x");
-    ASSERT_TRUE(answered("power | sll"));
+    ASSERT_TRUE(answered("uniform | sll"));
     press("bracketleft bracketleft");
     type("pt_compare_at");
     ASSERT_TRUE(answered("\"0.4\""));
@@ -308,7 +308,7 @@ TEST_P(WindowTest, APlayerWalksTypesChoosesSwitchesAndLeaves) {
     // What was changed is kept.
     const std::string kept = text_of(path("config/vigil/config.cfg"));
     EXPECT_NE(kept.find("scr_stats"), std::string::npos) << kept;
-    EXPECT_NE(kept.find("set pt_nee \"power\""), std::string::npos) << kept;
+    EXPECT_NE(kept.find("set pt_nee \"uniform\""), std::string::npos) << kept;
     EXPECT_NE(kept.find("set pt_preset \"custom\""), std::string::npos) << kept;
 }
 
