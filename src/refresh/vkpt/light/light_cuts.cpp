@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -20,23 +19,14 @@ namespace {
 /// Of all lists together, shared ones counted once.
 constexpr std::size_t most_ids = std::size_t{1} << 22;
 
-struct Bounds {
-    glm::vec3 low{std::numeric_limits<float>::infinity()};
-    glm::vec3 high{-std::numeric_limits<float>::infinity()};
-    void add(const glm::vec3& lower, const glm::vec3& upper) {
-        low = glm::min(low, lower);
-        high = glm::max(high, upper);
-    }
-};
-
 /// Of all clusters, and of the whole level after them.
 std::vector<Bounds> cluster_bounds(const Bsp& bsp, std::size_t lists) {
     std::vector<Bounds> bounds(lists);
     for (const BspLeaf& leaf : bsp.leafs) {
         if (leaf.cluster < 0) continue;
-        bounds.back().add(leaf.mins, leaf.maxs);
+        bounds.back().grow({leaf.mins, leaf.maxs});
         if (static_cast<std::size_t>(leaf.cluster) + 1 < lists)
-            bounds[static_cast<std::size_t>(leaf.cluster)].add(leaf.mins, leaf.maxs);
+            bounds[static_cast<std::size_t>(leaf.cluster)].grow({leaf.mins, leaf.maxs});
     }
     return bounds;
 }
@@ -49,15 +39,11 @@ double squared(const glm::vec3& v) {
 
 void LightCuts::set_still(const Bsp& bsp, const Part& part, std::uint32_t size) {
     still_ = {};
-    add(bsp, part, size);
+    set_moving(bsp, part, size); // beside nothing
     still_ = {cuts_.size(), entries_.size(), order_.size(), places_.size(), groups_.size()};
 }
 
 void LightCuts::set_moving(const Bsp& bsp, const Part& part, std::uint32_t size) {
-    add(bsp, part, size);
-}
-
-void LightCuts::add(const Bsp& bsp, const Part& part, std::uint32_t size) {
     entries_.resize(still_.entries);
     order_.resize(still_.order);
     groups_.resize(still_.groups);
@@ -108,7 +94,7 @@ void LightCuts::add(const Bsp& bsp, const Part& part, std::uint32_t size) {
         }
         cluster.first = static_cast<std::uint32_t>(entries_.size());
         if (sun != shader::NONE) entries_.push_back(sun);
-        if (!nodes_.empty()) cut(bounds[list].low, bounds[list].high, size);
+        if (!nodes_.empty()) cut(bounds[list], size);
         cluster.count = static_cast<std::uint32_t>(entries_.size()) - cluster.first;
     }
 }
@@ -129,8 +115,13 @@ void LightCuts::grow(std::uint32_t number, std::span<const std::uint32_t> places
     Node node{};
     if (places.size() == 1) {
         const TreeLight& light = tree_.lights()[places.front()];
-        node = {light.lower, light.upper, light.normal, static_cast<double>(light.energy), first,
-                1,           0,           shader::NONE};
+        node = {{light.lower, light.upper},
+                light.normal,
+                static_cast<double>(light.energy),
+                first,
+                1,
+                0,
+                shader::NONE};
     } else {
         grow(number + 1, places.first(left), first);
         node = nodes_[self + 1];
@@ -138,8 +129,7 @@ void LightCuts::grow(std::uint32_t number, std::span<const std::uint32_t> places
         grow(tree_.nodes()[number].right, places.subspan(left),
              first + static_cast<std::uint32_t>(left));
         const Node& right = nodes_[node.right];
-        node.lower = glm::min(node.lower, right.lower);
-        node.upper = glm::max(node.upper, right.upper);
+        node.bounds.grow(right.bounds);
         node.normal_sum += right.normal_sum;
         node.energy += right.energy;
         node.count += right.count;
@@ -148,16 +138,17 @@ void LightCuts::grow(std::uint32_t number, std::span<const std::uint32_t> places
     nodes_[self] = node;
 }
 
-void LightCuts::cut(const glm::vec3& low, const glm::vec3& high, std::uint32_t size) {
+void LightCuts::cut(const Bounds& cluster, std::uint32_t size) {
     // How far off a node's estimate may be in the cluster: its energy over squared distance, times
     // how much of that its extent and the turns of its lights leave open.
-    const double least = squared(high - low) / 64.0 + 1024.0;
+    const double least = squared(cluster.extent()) / 64.0 + 1024.0;
     const auto error = [&](std::uint32_t number) {
         const Node& node = nodes_[number];
         if (node.count == 1) return 0.0;
-        const double distance =
-            squared(glm::max(glm::max(low - node.upper, node.lower - high), glm::vec3(0.0f)));
-        const double extent = 0.25 * squared(node.upper - node.lower);
+        const double distance = squared(
+            glm::max(glm::max(cluster.lower - node.bounds.upper, node.bounds.lower - cluster.upper),
+                     glm::vec3(0.0f)));
+        const double extent = 0.25 * squared(node.bounds.extent());
         const double turns = 1.0 - std::sqrt(squared(node.normal_sum)) / node.count;
         return node.energy * (std::sqrt(extent / (distance + extent + 1.0)) + 2.0 * turns) /
                (distance + least);
@@ -185,8 +176,8 @@ std::uint32_t LightCuts::group_of(std::uint32_t number) {
         group.left = group_of(number + 1);
         group.right = group_of(node.right);
     }
-    group.middle = 0.5f * (node.lower + node.upper);
-    group.reach = glm::max(node.upper - group.middle, group.middle - node.lower);
+    group.middle = node.bounds.center();
+    group.reach = glm::max(node.bounds.upper - group.middle, group.middle - node.bounds.lower);
     const float length = glm::length(node.normal_sum);
     group.mean = std::min(length / static_cast<float>(node.count), 1.0f);
     if (length > 1e-3f) group.axis = node.normal_sum / length;

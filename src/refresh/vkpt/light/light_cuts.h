@@ -2,11 +2,12 @@
 // Light cuts of all PVS clusters as the GPU reads them (shaders/light/cut_lists.glsl). A cluster's
 // cut goes through the tree of the lights in its list, and is fine where they are near. After
 // Walter et al., "Lightcuts", 2005, with a cut per cluster instead of one per point. Data only;
-// cluster_cuts.h owns the buffers.
+// cut.cpp owns the buffers.
 #pragma once
 
 #include "refresh/vkpt/light/light_lists.h"
 #include "refresh/vkpt/light/light_tree.h"
+#include "refresh/vkpt/scene/bounds.h"
 #include "shared/light_cut.h"
 
 #include <span>
@@ -57,7 +58,7 @@ public:
 private:
     /// A node of the tree with only the lights of one list.
     struct Node {
-        glm::vec3 lower, upper;
+        Bounds bounds;
         glm::vec3 normal_sum;
         double energy;
         std::uint32_t first, count; // in order_
@@ -65,13 +66,11 @@ private:
         std::uint32_t group;        // number in groups_; shader::NONE: none yet
     };
 
-    /// Adds a part to what there is.
-    void add(const Bsp& bsp, const Part& part, std::uint32_t size);
     /// The list's part of the subtree of a node, as nodes_; `places` are the list's lights in it,
     /// of which the first is at `first` of order_.
     void grow(std::uint32_t node, std::span<const std::uint32_t> places, std::uint32_t first);
     /// Adds the entries of a cut through nodes_.
-    void cut(const glm::vec3& low, const glm::vec3& high, std::uint32_t size);
+    void cut(const Bounds& cluster, std::uint32_t size);
     /// The number of a node's group.
     std::uint32_t group_of(std::uint32_t node);
 
