@@ -3,10 +3,14 @@
 // weighed light by light. A technique's file includes this one after light/candidate_walk.glsl, and has beside what that asks for
 //   LtcSurface candidate_surface(Candidates c)                       what the candidates are to shine on
 //   Candidates candidates_at(Candidates like, uint first, uint end)  those at such places of cut_order, else as they are
-float group_importance(Candidates like, CutGroup group) {
+
+/// What a group may bring. `walks`: lights that may still be weighed for that.
+float group_importance(Candidates like, CutGroup group, inout uint walks) {
     const CutWeight weight = cut_weight(group, candidate_surface(like), HAS_GLOSS);
-    if (weight.importance > 0.0 && weight.width > CUT_NEAR && group.count <= CUT_WALK)
+    if (weight.importance > 0.0 && weight.width > CUT_NEAR && group.count <= min(CUT_WALK, walks)) {
+        walks -= group.count;
         return walk_candidates(candidates_at(like, group.first, group.first + group.count), NONE, 0.0).sum;
+    }
     return min(weight.importance, LIGHT_IMPORTANCE_MOST);
 }
 
@@ -20,9 +24,9 @@ struct CutDraw {
 /// Draws a light by `u`, in [0, 1); or finds the probability of `sought`, unless that is NONE.
 CutDraw draw_from_cut(LightCut cut, Candidates like, uint sought, vec3 u) {
     const CutDraw nothing = CutDraw(sought, 0.0, 0.0);
-    const uint place = sought == NONE ? NONE : place_in_cut(cut, sought);
-    if (sought != NONE && place == NONE) return nothing;
+    const uint place = sought == NONE ? NONE : place_in_cut(cut, sought); // NONE: in no group, as the sun
     Reservoir entries = new_reservoir(u.x);
+    uint walks = CUT_WALKS;
     uint holder = NONE; // the entry with the sought light
     float holder_weight = 0.0;
     for (uint i = 0u; i < cut_size(cut); ++i) {
@@ -31,7 +35,7 @@ CutDraw draw_from_cut(LightCut cut, Candidates like, uint sought, vec3 u) {
         bool holds = entry == sought;
         if ((entry & CUT_GROUP) != 0u) {
             const CutGroup group = load_group(entry & ~CUT_GROUP);
-            weight = group_importance(like, group);
+            weight = group_importance(like, group, walks);
             holds = place - group.first < group.count; // NONE is in none
         } else {
             weight = candidate_weight(like, entry);
@@ -50,7 +54,8 @@ CutDraw draw_from_cut(LightCut cut, Candidates like, uint sought, vec3 u) {
     CutGroup group = load_group(chosen & ~CUT_GROUP);
     while (group.count > CUT_WALK) { // one of its halves
         const CutGroup left = load_group(group.left), right = load_group(group.right);
-        const float a = group_importance(like, left), b = group_importance(like, right);
+        uint halves = 2u * CUT_WALK;
+        const float a = group_importance(like, left, halves), b = group_importance(like, right, halves);
         if (!(a + b > 0.0)) return nothing;
         const float share = a / (a + b);
         const bool in_left = sought == NONE ? u.y < share : place - left.first < left.count;

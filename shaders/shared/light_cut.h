@@ -14,6 +14,9 @@ SHADER_BEGIN
 SHADER_CONST uint CUT_GROUP = 0x80000000u;
 /// Lights that a draw weighs one by one, at most: those of a group, or of one that is near.
 SHADER_CONST uint CUT_WALK = 32u;
+/// Lights that a draw weighs one by one before it knows their group, at most. What the cut's error
+/// is largest for comes first.
+SHADER_CONST uint CUT_WALKS = 64u;
 /// Groups this wide (squared half diagonal over mean squared distance) are weighed by their lights.
 SHADER_CONST float CUT_NEAR = 0.5f;
 /// Least mean cosines: where a group's estimate is too low, its lights must not become fireflies.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -163,6 +164,7 @@ void LightCuts::cut(const Bounds& cluster, std::uint32_t size) {
             std::ranges::push_heap(open);
         }
     }
+    std::ranges::sort(open, std::greater{}); // what is weighed light by light comes first
     for (const auto& [_, number] : open)
         entries_.push_back(nodes_[number].count == 1 ? order_[nodes_[number].first]
                                                      : shader::CUT_GROUP | group_of(number));

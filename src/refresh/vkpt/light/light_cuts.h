@@ -2,7 +2,7 @@
 // Light cuts of all PVS clusters as the GPU reads them (shaders/light/cut_lists.glsl). A cluster's
 // cut goes through the tree of the lights in its list, and is fine where they are near. After
 // Walter et al., "Lightcuts", 2005, with a cut per cluster instead of one per point. Data only;
-// cut.cpp owns the buffers.
+// cluster_cuts.h owns the buffers.
 #pragma once
 
 #include "refresh/vkpt/light/light_lists.h"
@@ -41,7 +41,8 @@ public:
 
     /// By list: of the lights that stay, and after all these of those that can move.
     std::span<const ClusterCut> cuts() const { return cuts_; }
-    /// Lights, and groups with shader::CUT_GROUP. The sun, if a list has it, is the first one.
+    /// Lights, and groups with shader::CUT_GROUP: the largest errors first. The sun, if a list has
+    /// it, comes before all.
     std::span<const std::uint32_t> entries() const { return entries_; }
     /// Ids of the lights of all lists, each in the order of the tree.
     std::span<const std::uint32_t> order() const { return order_; }
