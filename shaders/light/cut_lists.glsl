@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The light cuts of all PVS clusters: what stands for the lights that may be seen from a surface's cluster. Those of lights that stay, and
-// of lights that can move. Drawn from by cut_draw.glsl; host side: refresh/vkpt/light/cut.cpp.
+// of lights that can move. Drawn from by cut_draw.glsl; host side: refresh/vkpt/light/cluster_cuts.h.
 #ifndef VIGIL_LIGHT_CUT_LISTS_GLSL
 #define VIGIL_LIGHT_CUT_LISTS_GLSL
 

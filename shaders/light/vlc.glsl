@@ -7,12 +7,13 @@
 //   - the others take any light of the level from a table weighted anew each frame (paper, section 4.3).
 // What the cache has already is thrown away: no light needs the probabilities of two walks, and what the cache draws well has no noise of exploration.
 // With pt_vlc_beside 0 these draws take the place of others, as in the paper, and the table draws the cache's lights, too.
-// Where no caches are made (HAS_CACHES), as the clusters' lists do as well, every draw is such a walk, and nothing is learned.
-// Every draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
+// Where no caches are made (HAS_CACHES), as nearly all light is in sight, every draw is from the cluster's light cut, and nothing is learned.
+// Every other draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
 // nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability.
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.
 #include "guiding/octree.glsl"
 #include "light/alias.glsl"
+#include "light/cut_lists.glsl"
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
 
@@ -32,7 +33,6 @@ struct LightCache {
 };
 
 LightCache find_light_cache(uint leaf) {
-    if (!HAS_CACHES) return LightCache(0u, 0u);
     const uint cache = leaf_word(LEAF_VLC, leaf);
     return LightCache(load_word(leaf_words, cache), load_word(leaf_words, cache + 1u));
 }
@@ -138,16 +138,24 @@ Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
     return shares;
 }
 
-/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing.
+/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing. Without caches:
+/// a group of a cut.
 struct Candidates {
-    uint first, end, stride; // in vlc_words, or in the list
+    uint first, end, stride; // in vlc_words, in the list, or in cut_order
     bool from_cache;
     LightCache cache;
     LightList list;
     LtcSurface prepared;
 };
 
+LtcSurface candidate_surface(Candidates candidates) { return candidates.prepared; }
+
+Candidates candidates_at(Candidates like, uint first, uint end) {
+    return Candidates(first, end, 1u, false, like.cache, like.list, like.prepared);
+}
+
 uint candidate_light(Candidates candidates, uint i) {
+    if (!HAS_CACHES) return load_word(cut_order, i);
     if (!candidates.from_cache) return light_of_list(candidates.list, i);
     const uint entry = load_word(vlc_words, i);
     return entry == NONE ? NONE : entry & VLC_ID_MASK;
@@ -160,6 +168,7 @@ float candidate_weight(Candidates candidates, uint light) {
 }
 
 #include "light/candidate_walk.glsl"
+#include "light/cut_draw.glsl"
 
 Candidates bucket_candidates(LightSearch search, uint first) {
     const uint lights_there = search.cache.buckets > 0u ? bucket_size() : 0u;
@@ -184,16 +193,18 @@ float mixture_probability(LightSearch search, Shares shares, bool cached, Candid
     return shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
 }
 
-/// A draw where there are no caches.
-LightChoice draw_from_list(Surface surface, inout Random random) {
-    const LightSearch search = prepare_search(surface, 0u);
-    const vec3 u = random_next3(random);
-    const CandidateWalk walk = walk_candidates(list_candidates(search, draw_index(u.y, search.list_stride)), NONE, u.z);
-    return light_choice(walk.light, walk_probability(walk, search.list_stride));
+/// Where there are no caches: a draw by `u`, in [0, 1), or the probability of `sought`, unless that is NONE.
+CutDraw draw_without_caches(Surface surface, uint sought, vec3 u) {
+    const Candidates like = Candidates(0u, 0u, 1u, false, LightCache(0u, 0u), LightList(0u, 0u, 0u, 0u, 0u), prepare_importance(surface));
+    return draw_from_cut(find_cut(surface), like, sought, u);
 }
 
 LightChoice draw_light(Surface surface, float beside, inout Random random) {
-    if (!HAS_CACHES) return draw_from_list(surface, random);
+    if (!HAS_CACHES) {
+        const CutDraw draw = draw_without_caches(surface, NONE, random_next3(random));
+        if (draw.probability > 0.0) return light_choice(draw.light, draw.probability);
+        return no_light();
+    }
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     LightSearch search = prepare_search(surface, found.cache);
     const Shares shares = draw_shares(search, found.cache, beside);
@@ -246,10 +257,9 @@ void learn_light(LightChoice choice, uint outcome) {
 }
 
 float light_probability(Surface surface, uint light) {
-    uint leaf = 0u;
-    if (HAS_CACHES) leaf = find_leaves(surface.position, previous_position(surface)).cache;
+    if (!HAS_CACHES) return draw_without_caches(surface, light, vec3(0.0)).probability;
+    const uint leaf = find_leaves(surface.position, previous_position(surface)).cache;
     LightSearch search = prepare_search(surface, leaf);
-    if (!HAS_CACHES) return walk_probability(walk_candidates(candidates_of_light(search, false, light), light, 0.0), search.list_stride);
     const float beside = draws_beside() && !is_cached(search.cache, light) ? explore_total(search, leaf) : 0.0;
     const Shares shares = draw_shares(search, leaf, beside);
     const bool cached = is_cached(search.cache, light);

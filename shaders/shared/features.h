@@ -17,7 +17,7 @@
     ROW(lights,      CONSTANT_LIGHTS) \
     ROW(effects,     CONSTANT_EFFECTS)     /* some model fades, glows, is a sprite or hidden from some rays */ \
     ROW(environment, CONSTANT_ENVIRONMENT) /* sky and sun are sampled as lights */ \
-    ROW(caches,      CONSTANT_CACHES)      /* `vlc`: lists of lights do not suffice */
+    ROW(caches,      CONSTANT_CACHES)      /* `vlc`: much light is out of sight */
 // clang-format on
 
 #ifdef __cplusplus

@@ -84,7 +84,7 @@
     INTEGER(pt_lh_leaf, Session, Reference, 2, 1, 16, \
         "lh: Most lights in a leaf. Each of them is weighted by itself.") \
     INTEGER(pt_cut_size, Session, Reference, 32, 1, 256, \
-        "cut: Most entries of a PVS cluster's light cut. A draw weights all of them.") \
+        "cut, vlc: Most entries of a PVS cluster's light cut. A draw weights all of them.") \
     INTEGER(pt_oct_split, Session, Reference, 4096, 1, 2147483647, \
         "Octree: A leaf with more surface samples than this is split. The number is for 1920 x 1080.") \
     INTEGER(pt_oct_collapse, Session, Reference, 2048, 0, 2147483647, \
@@ -106,7 +106,7 @@
     INTEGER(pt_vlc_weigh, Archived, Reference, 1, 0, 1, \
         "vlc: 1: Buckets are drawn by what draws from them brought. 0: evenly, as in the paper.") \
     REAL(pt_vlc_enough, Archived, Reference, 0.9, 0.0, 1.0, \
-        "vlc: Levels where a bucket holds every cluster's list, and so much of its light is in sight, need no caches. 0: all do, as in the paper.") \
+        "vlc: Levels where so much of the light in the clusters' lists is in sight need no caches. 0: all do, as in the paper.") \
     REAL(pt_vlc_hysteresis, Session, Reference, 0.75, 0.0, 1.0, \
         "vlc: Buckets must be emptier than this share before their number falls.") \
     INTEGER(pt_vlc_merge, Session, Reference, 1, 0, 1, \

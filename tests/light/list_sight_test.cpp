@@ -109,6 +109,13 @@ TEST(PartInSight, IsThatOfTheDrawsByWhatTheyLookFor) {
     ASSERT_LT(expected, 0.95);
     EXPECT_NEAR(part_in_sight(two_rooms(true), both_in_all_lists(), lights), expected, 0.01);
     EXPECT_EQ(part_in_sight(two_rooms(false), both_in_all_lists(), lights), 1.0);
+
+    // So often that not all are asked.
+    LightLists longer;
+    longer.ranges = {{0, 400}, {0, 400}, {0, 400}};
+    for (uint32_t i = 0; i < 400; ++i)
+        longer.ids.push_back(i % 2);
+    EXPECT_NEAR(part_in_sight(two_rooms(true), longer, lights), expected, 0.02);
 }
 
 TEST(PartInSight, IsWholeWhereNothingIsOutOfSight) {

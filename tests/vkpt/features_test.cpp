@@ -159,7 +159,7 @@ TEST_F(Features, WithoutLightEverythingIsBlack) {
     }
 }
 
-TEST_F(Features, CachesAreMadeWhereListsDoNotSuffice) {
+TEST_F(Features, CachesAreMadeWhereLightIsOutOfSight) {
     load("lamp");
     Shot shot;
     shot.view = {{-192, 0, 64}, {20, 0, 0}, 90};
@@ -178,24 +178,11 @@ TEST_F(Features, CachesAreMadeWhereListsDoNotSuffice) {
     set("pt_features", "caches");
     EXPECT_TRUE(has_caches());
     set("pt_features", "auto");
-    set("pt_vlc_bucket", "1");
-    EXPECT_TRUE(has_caches()) << "lists are longer than a bucket";
-    cvars().reset("pt_vlc_bucket");
-    EXPECT_FALSE(has_caches());
-
-    // A few moving lights do not matter. Many do, and a level that they crowded keeps its caches.
-    const auto set_lights = [&](uint32_t count) {
-        shot.dynamic_lights.clear();
-        for (uint32_t id = 1; id <= count; ++id)
-            shot.dynamic_lights.push_back(
-                {id, {-110.0f + 10.0f * static_cast<float>(id), 0, 60}, 2.0f, {5, 5, 5}});
-    };
-    set_lights(2);
-    EXPECT_FALSE(has_caches());
-    set_lights(20);
-    EXPECT_TRUE(has_caches());
-    set_lights(0);
-    EXPECT_TRUE(has_caches());
+    for (uint32_t id = 1; id <= 40; ++id)
+        shot.dynamic_lights.push_back(
+            {id, {-110.0f + 5.0f * static_cast<float>(id), 0, 60}, 2.0f, {5, 5, 5}});
+    EXPECT_FALSE(has_caches()) << "cuts hold any number of lights";
+    shot.dynamic_lights.clear();
 
     // A lamp that is off may be switched on later: it counts as if it were lit.
     load("rooms");
@@ -210,7 +197,7 @@ TEST_F(Features, CachesAreMadeWhereListsDoNotSuffice) {
     EXPECT_TRUE(has_caches()) << "the sky is not asked whether it is in sight";
 }
 
-TEST_F(Features, ListsAloneHaveTheSameMean) {
+TEST_F(Features, CutsAloneHaveTheSameMean) {
     load("rooms");
     Shot shot;
     shot.view = {{420, 40, 90}, {0, 50, 0}, 90};
@@ -221,7 +208,7 @@ TEST_F(Features, ListsAloneHaveTheSameMean) {
         set("pt_guide", guide);
         const PictureBatches seen = batches(shot, 8, 64, 200, 8);
         EXPECT_FALSE(renderer().technique()->uses_guiding());
-        judge(fmt::format("lists alone, {}", guide), seen, expected, {0.015});
+        judge(fmt::format("cuts alone, {}", guide), seen, expected, {0.015});
     }
 }
 

@@ -30,7 +30,7 @@ struct TechniqueSettings {
     /// Relative bias of five neighbouring blocks that may not hide between such a picture and one
     /// of the first technique: what weighs few lights, or not how near they are, is noisier.
     double five_blocks = 0.15;
-    bool caches = true; // `vlc` has them; else it draws from lists alone
+    bool caches = true; // `vlc` has them; else it draws from cuts alone, but for light from the sky
 
     void set() const;
 };

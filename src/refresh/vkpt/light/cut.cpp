@@ -1,96 +1,33 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Technique `cut`: light cuts by cluster (shaders/light/cut.glsl). Its buffers have the cuts of the
-// static world's lights, and after them those of lights that can move.
-#include "refresh/vkpt/gpu/growing_buffer.h"
-#include "refresh/vkpt/light/cluster_lists.h"
-#include "refresh/vkpt/light/light_cuts.h"
-#include "refresh/vkpt/scene/light_set.h"
-
-#include <glm/common.hpp>
+// Technique `cut`: light cuts by cluster (shaders/light/cut.glsl).
+#include "refresh/vkpt/light/cluster_cuts.h"
 
 namespace vigil::vkpt {
 
 namespace {
 
-/// Radiance of a light that a level says nothing of: a window to the sky, or a lamp of style 0.
-constexpr float faint = 1e-3f;
-
-/// The static world's lights by id, lit: what is dark now may be switched on later.
-std::vector<shader::Light> lit_lights(const LightSet& lights) {
-    std::vector<shader::Light> lit(lights.lights().begin(),
-                                   lights.lights().begin() + lights.static_count());
-    for (size_t id = 0; id < lights.world().size(); ++id) {
-        const LightSource& source = lights.world()[id];
-        lit[id].radiance = glm::max(glm::max(lit[id].radiance, source.radiance * source.coverage),
-                                    glm::vec3(faint));
-    }
-    return lit;
-}
-
-class ClusterCuts : public LightTechnique {
+class LightCutTechnique : public LightTechnique {
 public:
-    explicit ClusterCuts(const TechniqueContext& context)
-        : lists_(context), clusters_(context.device, "light cuts"),
-          entries_(context.device, "light cut entries"), order_(context.device, "light cut order"),
-          places_(context.device, "light cut places"), groups_(context.device, "light groups") {}
+    explicit LightCutTechnique(const TechniqueContext& context)
+        : lists_(context), cuts_(context.device) {}
 
     bool prepare(const LightFrame& frame) override {
-        const LightSet& lights = frame.lights;
-        const auto size = static_cast<uint32_t>(frame.settings.pt_cut_size);
-        ClusterLists::Changes changes = lists_.prepare(lights);
-        if (size_ != size) changes = {true, true};
-        size_ = size;
-        changes.moving |= changes.still;
-        if (changes.still)
-            cuts_.set_still(lists_.bsp(), {lists_.still(), 0, lit_lights(lights)}, size);
-        const uint32_t first = lights.static_count();
-        if (changes.moving)
-            cuts_.set_moving(lists_.bsp(), {lists_.moving(), first, lights.lights().subspan(first)},
-                             size);
-        const bool energies = changes.moving || revision_ != lights.revision();
-        revision_ = lights.revision();
-        if (energies) cuts_.set_energies(lights.lights());
-
-        // What belongs to lights that stay is copied again only if it changed.
-        const LightCuts::Sizes kept = changes.still ? LightCuts::Sizes{} : cuts_.still();
-        bool renewed = false;
-        if (changes.moving) {
-            renewed |= clusters_.set(gpu::bytes_of(cuts_.cuts()), sizeof(ClusterCut) * kept.cuts);
-            renewed |=
-                entries_.set(gpu::bytes_of(cuts_.entries()), sizeof(uint32_t) * kept.entries);
-            renewed |= order_.set(gpu::bytes_of(cuts_.order()), sizeof(uint32_t) * kept.order);
-            std::vector<uint32_t> places{static_cast<uint32_t>(lists_.still().ranges.size()),
-                                         first};
-            places.insert(places.end(), cuts_.places().begin(), cuts_.places().end());
-            renewed |= places_.set(gpu::bytes_of(places), sizeof(uint32_t) * kept.places);
-        }
-        if (energies) renewed |= groups_.set(gpu::bytes_of(cuts_.groups()), 0);
-        return renewed;
+        const ClusterLists::Changes changes = lists_.prepare(frame.lights);
+        return cuts_.prepare(lists_, changes, frame.lights,
+                             static_cast<uint32_t>(frame.settings.pt_cut_size));
     }
-    void upload(gpu::FrameCommands& commands) override {
-        for (gpu::GrowingBuffer* buffer : {&clusters_, &entries_, &order_, &places_, &groups_})
-            buffer->upload(commands);
-    }
-    void bind(Bindings& bindings) const override {
-        bindings[BINDING_LIGHT_CUTS] = &clusters_.buffer();
-        bindings[BINDING_CUT_ENTRIES] = &entries_.buffer();
-        bindings[BINDING_CUT_ORDER] = &order_.buffer();
-        bindings[BINDING_CUT_PLACES] = &places_.buffer();
-        bindings[BINDING_LIGHT_NODES] = &groups_.buffer();
-    }
+    void upload(gpu::FrameCommands& commands) override { cuts_.upload(commands); }
+    void bind(Bindings& bindings) const override { cuts_.bind(bindings); }
 
 private:
     ClusterLists lists_;
-    LightCuts cuts_;
-    gpu::GrowingBuffer clusters_, entries_, order_, places_, groups_;
-    uint32_t size_ = 0; // most entries of a cut
-    uint64_t revision_ = 0;
+    ClusterCuts cuts_;
 };
 
 } // namespace
 
 std::unique_ptr<LightTechnique> make_cut(const TechniqueContext& context) {
-    return std::make_unique<ClusterCuts>(context);
+    return std::make_unique<LightCutTechnique>(context);
 }
 
 } // namespace vigil::vkpt

@@ -3,25 +3,22 @@
 
 namespace vigil::vkpt {
 
-ListBuffers::ListBuffers(const TechniqueContext& context)
-    : lists_(context), still_ranges_(context.device, "static light ranges"),
-      still_ids_(context.device, "static light ids"),
-      moving_ranges_(context.device, "moving light ranges"),
-      moving_ids_(context.device, "moving light ids"),
-      counts_(context.device, "light list counts") {}
+ListBuffers::ListBuffers(const gpu::Device& device)
+    : still_ranges_(device, "static light ranges"), still_ids_(device, "static light ids"),
+      moving_ranges_(device, "moving light ranges"), moving_ids_(device, "moving light ids"),
+      counts_(device, "light list counts") {}
 
-bool ListBuffers::prepare(const LightSet& lights) {
-    const ClusterLists::Changes changes = lists_.prepare(lights);
+bool ListBuffers::prepare(const ClusterLists& lists, ClusterLists::Changes changes) {
     bool renewed = false;
     if (changes.still) {
-        renewed |= still_ranges_.set(gpu::bytes_of(lists_.still().ranges));
-        renewed |= still_ids_.set(gpu::bytes_of(lists_.still().ids));
+        renewed |= still_ranges_.set(gpu::bytes_of(lists.still().ranges));
+        renewed |= still_ids_.set(gpu::bytes_of(lists.still().ids));
     }
     if (changes.moving) {
-        renewed |= moving_ranges_.set(gpu::bytes_of(lists_.moving().ranges));
-        renewed |= moving_ids_.set(gpu::bytes_of(lists_.moving().ids));
-        const uint32_t counts[2] = {static_cast<uint32_t>(lists_.moving().ranges.size()),
-                                    lists_.moving_count() > 0 ? 1u : 0u};
+        renewed |= moving_ranges_.set(gpu::bytes_of(lists.moving().ranges));
+        renewed |= moving_ids_.set(gpu::bytes_of(lists.moving().ids));
+        const uint32_t counts[2] = {static_cast<uint32_t>(lists.moving().ranges.size()),
+                                    lists.moving_count() > 0 ? 1u : 0u};
         renewed |= counts_.set(std::as_bytes(std::span(counts)));
     }
     return renewed;

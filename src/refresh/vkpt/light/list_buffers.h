@@ -9,18 +9,15 @@ namespace vigil::vkpt {
 
 class ListBuffers {
 public:
-    explicit ListBuffers(const TechniqueContext& context);
+    explicit ListBuffers(const gpu::Device& device);
 
-    /// Brings the lists to this frame's lights. Returns true if a buffer was made anew.
-    bool prepare(const LightSet& lights);
+    /// Takes over the lists where they are new. Returns true if a buffer was made anew.
+    bool prepare(const ClusterLists& lists, ClusterLists::Changes changes);
     void upload(gpu::FrameCommands& commands);
     /// Puts the buffers at the bindings of light_list.glsl.
     void bind(LightTechnique::Bindings& bindings) const;
-    /// What the buffers hold.
-    const ClusterLists& lists() const { return lists_; }
 
 private:
-    ClusterLists lists_;
     gpu::GrowingBuffer still_ranges_, still_ids_, moving_ranges_, moving_ids_, counts_;
 };
 

@@ -18,6 +18,8 @@ namespace vigil {
 namespace {
 
 constexpr uint32_t place_count = 4096;
+/// Lights that a place looks at.
+constexpr size_t most_lights = 64;
 /// Map units that the ends of a line of sight lie off their surfaces.
 constexpr float off_surface = 1.0f;
 
@@ -71,8 +73,15 @@ double part_in_sight(const Bsp& bsp, const LightLists& lists,
         const int32_t cluster = cluster_at(bsp, place);
         if (cluster < 0) continue;
         double all = 0.0, in_sight = 0.0;
-        for (const uint32_t id : lists.list(static_cast<size_t>(cluster))) {
-            const shader::Light& light = lights[id];
+        const std::span<const uint32_t> list = lists.list(static_cast<size_t>(cluster));
+        const size_t asked = std::min(list.size(), most_lights);
+        for (size_t k = 0; k < asked; ++k) {
+            size_t place_in_list = k;
+            if (asked < list.size()) // one in each of so many parts
+                place_in_list = static_cast<size_t>(
+                    (static_cast<double>(k) + static_cast<double>(spread(++number).x)) *
+                    static_cast<double>(list.size()) / static_cast<double>(asked));
+            const shader::Light& light = lights[list[place_in_list]];
             const shader::LightSample sample = shader::sample_light(light, place, spread(++number));
             const double cosine = std::max(glm::dot(triangle.normal, sample.direction), 0.0f);
             const double value = static_cast<double>(shader::luminance(light.radiance)) *

@@ -10,18 +10,18 @@ namespace {
 class StaticLightLists : public LightTechnique {
 public:
     explicit StaticLightLists(const TechniqueContext& context)
-        : lists_(context), shadows_(context.device, context.compiler) {}
+        : lists_(context), buffers_(context.device), shadows_(context.device, context.compiler) {}
 
     bool prepare(const LightFrame& frame) override {
         learns_ = frame.settings.pt_sll_stats != 0;
-        bool renewed = lists_.prepare(frame.lights);
+        bool renewed = buffers_.prepare(lists_, lists_.prepare(frame.lights));
         if (learns_)
-            renewed |= shadows_.reserve(lists_.lists().pair_count());
+            renewed |= shadows_.reserve(lists_.pair_count());
         else
             shadows_.forget(); // what was counted before it was switched off is out of date later
         return renewed;
     }
-    void upload(gpu::FrameCommands& commands) override { lists_.upload(commands); }
+    void upload(gpu::FrameCommands& commands) override { buffers_.upload(commands); }
     void adapt(gpu::FrameCommands& commands) override {
         if (learns_) shadows_.adapt(commands);
     }
@@ -29,11 +29,12 @@ public:
     bool learns() const override { return learns_; }
     void bind(Bindings& bindings) const override {
         bindings[BINDING_SHADOW_STATISTICS] = shadows_.buffer();
-        lists_.bind(bindings);
+        buffers_.bind(bindings);
     }
 
 private:
-    ListBuffers lists_;
+    ClusterLists lists_;
+    ListBuffers buffers_;
     ShadowStatistics shadows_;
     bool learns_ = false; // as the last frame said
 };
