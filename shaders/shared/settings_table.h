@@ -105,8 +105,8 @@
         "vlc: 1: More samples look for lights where they find much that the cache lacks. 0: The share is the same everywhere, as in the paper.") \
     INTEGER(pt_vlc_weigh, Archived, Reference, 1, 0, 1, \
         "vlc: 1: Buckets are drawn by what draws from them brought. 0: evenly, as in the paper.") \
-    REAL(pt_vlc_enough, Archived, Reference, 0.9, 0.0, 1.0, \
-        "vlc: Levels where so much of the light in the clusters' lists is in sight need no caches. 0: all do, as in the paper.") \
+    REAL(pt_vlc_enough, Archived, Reference, 0.68, 0.0, 1.0, \
+        "vlc: Levels whose places see so much of the light in their clusters' lists need no caches. 0: all do, as in the paper.") \
     REAL(pt_vlc_hysteresis, Session, Reference, 0.75, 0.0, 1.0, \
         "vlc: Buckets must be emptier than this share before their number falls.") \
     INTEGER(pt_vlc_merge, Session, Reference, 1, 0, 1, \

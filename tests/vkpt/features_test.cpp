@@ -194,7 +194,9 @@ TEST_F(Features, CachesAreMadeWhereLightIsOutOfSight) {
     set("pt_vlc_enough", "0.5");
 
     load("opensky");
-    EXPECT_TRUE(has_caches()) << "the sky is not asked whether it is in sight";
+    EXPECT_TRUE(has_caches()) << "the sun is not asked whether it is in sight";
+    load("opensky", [](Level& level) { level.bsp.entities[0].set("_sun_light", "0"); });
+    EXPECT_FALSE(has_caches()) << "windows to the sky are";
 }
 
 TEST_F(Features, CutsAloneHaveTheSameMean) {

@@ -371,7 +371,7 @@ FAULTS = [
           "return light_choice(draw.light, draw.probability)", "return light_choice(draw.light, 1.03 * draw.probability)",
           TECHNIQUE, "*KeepsItsPromises/vlc_CutsAlone"),
     Fault("lights behind walls count as in sight", "src/refresh/vkpt/light/list_sight.cpp",
-          "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfTheDrawsByWhatTheyLookFor"),
+          "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfThePlacesDraws"),
     Fault("guiding learns from each frame", "src/refresh/vkpt/guiding/guiding.cpp",
           "frames_ % turn_ == 0", "turn_ > 0", ENTITIES, "*StillTest.LearningTakesTurns/bvh"),
     Fault("a light of every cluster's list is left out", "shaders/light/light_list.glsl",

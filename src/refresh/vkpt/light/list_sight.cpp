@@ -61,7 +61,7 @@ double part_in_sight(const Bsp& bsp, const LightLists& lists,
                      std::span<const shader::Light> lights) {
     double area = 0.0;
     const std::vector<Triangle> triangles = world_triangles(bsp, area);
-    double drawn = 0.0, seen = 0.0;
+    double lit = 0.0, seen = 0.0;
     uint32_t number = 0; // of the points drawn so far
     for (uint32_t i = 0; i < place_count && !triangles.empty(); ++i) {
         const double at = area * (i + 0.5) / place_count;
@@ -91,10 +91,11 @@ double part_in_sight(const Bsp& bsp, const LightLists& lists,
             if (is_clear_line(bsp, place, sample.point + off_surface * shader::light_normal(light)))
                 in_sight += value;
         }
-        drawn += all * in_sight;
-        seen += in_sight * in_sight;
+        if (!(in_sight > 0.0)) continue;
+        lit += 1.0;
+        seen += in_sight / all;
     }
-    return drawn > 0.0 ? seen / drawn : 1.0;
+    return lit > 0.0 ? seen / lit : 1.0;
 }
 
 } // namespace vigil

@@ -12,10 +12,10 @@
 namespace vigil {
 
 /// Part of the draws from lists that find their light in sight, in [0, 1]: a light is drawn in
-/// proportion to what it would bring, and a draw counts by what its place receives. Asked at 4,096
-/// places spread over the faces of the static world, each of at most 64 lights of its list. Only
-/// the world's brushes are in the way. `lights` are those of the lists by id, lamps all of them. 1
-/// where no place receives light.
+/// proportion to what it would bring. Mean of 4,096 places spread over the faces of the static
+/// world, without those that see no light; each is asked about at most 64 lights of its list. Only
+/// the world's brushes are in the way. `lights` are those of the lists by id, without the sun. 1
+/// where no place sees light.
 double part_in_sight(const Bsp& bsp, const LightLists& lists,
                      std::span<const shader::Light> lights);
 

@@ -61,8 +61,8 @@ public:
     }
     bool uses_guiding() const override { return caches_; }
     std::string guiding_reason() const override {
-        if (!seen_) return "light from the sky";
-        return fmt::format("{:.1f}% of the lists' light in sight", 100.0 * *seen_);
+        if (!seen_) return "light from the sun";
+        return fmt::format("places see {:.1f}% of the light in their lists", 100.0 * *seen_);
     }
 
 private:
@@ -78,13 +78,11 @@ private:
     void look(const LightSet& lights) {
         looked_at_ = lights.sun_revision();
         seen_.reset();
-        if (lights.sun() != shader::NONE ||
-            std::ranges::any_of(lights.world(), &LightSource::flags))
-            return;
+        if (lights.sun() != shader::NONE) return;
         std::vector<shader::Light> lamps; // all lit: what is dark now may be switched on later
         for (const LightSource& source : lights.world()) {
             shader::Light& lamp = lamps.emplace_back(lights.lights()[lamps.size()]);
-            lamp.radiance = source.radiance * source.coverage;
+            if (source.flags == 0) lamp.radiance = source.radiance * source.coverage;
         }
         seen_ = part_in_sight(lists_.bsp(), lists_.still(), lamps);
     }
@@ -94,7 +92,7 @@ private:
     ListBuffers buffers_;
     ClusterCuts cuts_;
     uint64_t looked_at_ = 0;       // revision of the sun that the next one is of
-    std::optional<double> seen_{}; // part_in_sight(), without sky and sun
+    std::optional<double> seen_{}; // part_in_sight(), unless there is a sun
     bool caches_ = true;           // as the last frame's lights want it
 };
 
