@@ -92,11 +92,12 @@ Point point_in(Random& random, uint32_t cluster) {
 
 /// As light/cut_draw.glsl weighs a group.
 double group_weight(const LightCuts& cuts, std::span<const Light> lights, const CutGroup& group,
-                    const shader::LtcSurface& surface) {
+                    const shader::LtcSurface& surface, uint32_t& walks) {
     const shader::CutWeight weight = shader::cut_weight(group, surface, true);
     if (!(weight.importance > 0.0f && weight.width > shader::CUT_NEAR &&
-          group.count <= shader::CUT_WALK))
+          group.count <= std::min(shader::CUT_WALK, walks)))
         return static_cast<double>(weight.importance);
+    walks -= group.count;
     double sum = 0.0;
     for (const uint32_t id : cuts.order().subspan(group.first, group.count))
         sum += static_cast<double>(shader::ltc_importance(surface, lights[id], true));
@@ -208,14 +209,15 @@ TEST(LightCuts, DrawNearlyAsWellAsAWalkPastAllLights) {
             shader::ltc_prepare_diffuse(point.position, point.normal, 0.5f);
         const ClusterCut& cut = cuts.cuts()[cluster];
         double weights = 0.0, moment = 0.0, all = 0.0;
+        uint32_t walks = shader::CUT_WALKS;
         for (const uint32_t entry : cuts.entries().subspan(cut.first, cut.count)) {
             double lit = 0.0;
             for (const uint32_t id : lights_of(cuts, entry))
                 lit += static_cast<double>(shader::ltc_importance(surface, lights[id], true));
             double weight = lit;
             if ((entry & shader::CUT_GROUP) != 0)
-                weight =
-                    group_weight(cuts, lights, cuts.groups()[entry & ~shader::CUT_GROUP], surface);
+                weight = group_weight(cuts, lights, cuts.groups()[entry & ~shader::CUT_GROUP],
+                                      surface, walks);
             weights += weight;
             all += lit;
             if (lit > 0.0) moment += lit * lit / weight;
