@@ -7,7 +7,7 @@
 //   - the others take any light of the level from a table weighted anew each frame (paper, section 4.3).
 // What the cache has already is thrown away: no light needs the probabilities of two walks, and what the cache draws well has no noise of exploration.
 // With pt_vlc_beside 0 these draws take the place of others, as in the paper, and the table draws the cache's lights, too.
-// Where no caches are made (HAS_CACHES), as nearly all light is in sight, every draw is from the cluster's light cut, and nothing is learned.
+// Where no caches are made (HAS_CACHES), as most light is in sight, every draw is from the cluster's light cut, and nothing is learned.
 // Every other draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
 // nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability.
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.

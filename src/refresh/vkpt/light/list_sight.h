@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How much of the light in their clusters' lists surfaces see. Where that is nearly all of it, to
-// remember what was seen is of no use.
+// How much of the light in their clusters' lists surfaces see. Where that is most of it,
+// remembering what was seen gains little.
 #pragma once
 
 #include "refresh/vkpt/light/light_lists.h"

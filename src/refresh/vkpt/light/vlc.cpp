@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `vlc`: Visibility Light Cache (shaders/light/vlc.glsl). The caches are made on the GPU
 // (refresh/vkpt/guiding); what is made here is for the part of the samples that looks for new
-// lights: the lists of the clusters, and the table of all lights. Where nearly all light is in
-// sight there are no caches, and its shader draws from cuts of the lists.
+// lights: the lists of the clusters, and the table of all lights. Where most light is in sight
+// there are no caches, and its shader draws from cuts of the lists.
 #include "refresh/vkpt/light/cluster_cuts.h"
 #include "refresh/vkpt/light/exploration_table.h"
 #include "refresh/vkpt/light/list_buffers.h"
