@@ -84,7 +84,7 @@
     INTEGER(pt_lh_leaf, Session, Reference, 2, 1, 16, \
         "lh: Most lights in a leaf. Each of them is weighted by itself.") \
     INTEGER(pt_cut_size, Session, Reference, 32, 1, 256, \
-        "cut, vlc: Most entries of a PVS cluster's light cut. A draw weights all of them.") \
+        "cut: Most entries of a PVS cluster's light cut, also those of vlc. A draw weights all of them.") \
     INTEGER(pt_oct_split, Session, Reference, 4096, 1, 2147483647, \
         "Octree: A leaf with more surface samples than this is split. The number is for 1920 x 1080.") \
     INTEGER(pt_oct_collapse, Session, Reference, 2048, 0, 2147483647, \
