@@ -64,6 +64,7 @@ protected:
         RenderTest::SetUp();
         // One set of shaders for all scenes, but caches are among the features.
         set("pt_features", GetParam().caches ? "all" : "auto");
+        if (!GetParam().caches) set("pt_vlc_enough", "1e-6");
         GetParam().set();
     }
 

@@ -39,7 +39,7 @@ const TechniqueSettings known[] = {
       {"pt_vlc_beside", "0"}},
      {1, 16, 0.5},
      false},
-    {"vlc", "CutsAlone", {{"pt_cut_size", "4"}, {"pt_vlc_enough", "1e-6"}}, {}, false, 0.15, false},
+    {"vlc", "CutsAlone", {{"pt_cut_size", "4"}}, {}, false, 0.15, false},
     {"uniform", "Default", {}, {all_lights, 1, 1.0}, true, 0.3},
     {"power", "Default", {}, {all_lights, 1, 1.0}, true, 0.3},
     {"ris", "Default", {}, {}},
