@@ -24,7 +24,8 @@ struct CutDraw {
 /// Draws a light by `u`, in [0, 1); or finds the probability of `sought`, unless that is NONE.
 CutDraw draw_from_cut(LightCut cut, Candidates like, uint sought, vec3 u) {
     const CutDraw nothing = CutDraw(sought, 0.0, 0.0);
-    const uint place = sought == NONE ? NONE : place_in_cut(cut, sought); // NONE: in no group, as the sun
+    const uint place = sought == NONE ? NONE : place_in_cut(cut, sought);
+    if (sought != NONE && place == NONE) return nothing;
     Reservoir entries = new_reservoir(u.x);
     uint walks = CUT_WALKS;
     uint holder = NONE; // the entry with the sought light
