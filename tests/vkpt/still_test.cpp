@@ -162,12 +162,12 @@ TEST_P(StillTest, LearningRestsUntilSomethingChanges) {
 TEST_P(StillTest, LearningTakesTurns) {
     set("pt_guide", "brdf");
     set("pt_oct_scale", "100"); // a few leaves with many samples
-    const auto turns = [&](std::string_view every, float spot_step = 0.0f) {
+    const auto turns = [&](std::string_view every, float spot_step = 0.0f, float turn = 1.0f) {
         set("pt_learn_every", every);
         renderer().reset_guiding();
         std::string learning;
         for (int frame = 0; frame < 24; ++frame) {
-            shot_.view.angles.y += 1.0f;
+            shot_.view.angles.y += turn;
             shot_.spots[0].origin.x += spot_step;
             render();
             learning += learns_ ? '1' : '0';
@@ -179,6 +179,7 @@ TEST_P(StillTest, LearningTakesTurns) {
     EXPECT_EQ(turns("2"), "111111111101010101010101") << "all of the first 8 frames teach";
     EXPECT_EQ(turns("4"), "111111111100010001000100");
     EXPECT_EQ(turns("4", 1.0f), each) << "lights change";
+    EXPECT_EQ(turns("4", 0.0f, 100.0f), each) << "each frame shows other surfaces";
     set("pt_view", "samples");
     EXPECT_EQ(turns("4"), each) << "the view counts samples";
     set("pt_view", "none");

@@ -54,6 +54,12 @@ constexpr uint32_t eager_frames = 8;
 /// Samples in a frame, for every light of the caches and frame of a turn, that make that turn
 /// enough (measured: docs/research/history.md).
 constexpr uint64_t samples_per_light = 3;
+/// Of a leaf's samples as many count. Large pictures have more, and their caches gain as much by
+/// learning from each frame.
+constexpr uint64_t samples_per_leaf = 64;
+/// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
+/// turn before: what has none lies on surfaces that are new to see, of which little is learned.
+constexpr uint64_t samples_per_unexpected = 200;
 
 /// Factor on the thresholds of the octree, which are those of 1920 x 1080 pixels. In proportion to
 /// the pixels, a small picture would have as many leaves as a large one, each with too few samples
@@ -358,9 +364,16 @@ uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
     const uint64_t samples_needed = samples_per_light * work.cached_lights;
     const uint64_t rays_needed = uint64_t{options_.settings.memory_rays} * work.nodes;
     uint64_t turn = options_.learn_every;
-    if (options_.lights && samples_needed > 0) turn = std::min(turn, work.samples / samples_needed);
+    const uint64_t samples =
+        std::min<uint64_t>(work.samples, samples_per_leaf * work.sampled_leaves);
+    if (options_.lights && samples_needed > 0) turn = std::min(turn, samples / samples_needed);
     if (options_.guide.guides())
         turn = std::min(turn, rays_needed > 0 ? work.rays / rays_needed : 1);
+    // As much is new in each frame of a turn.
+    const uint64_t unexpected = uint64_t{work.dropped} + work.rays_dropped;
+    if (unexpected > 0)
+        turn = std::min(turn, turn_ * (uint64_t{work.samples} + work.rays) /
+                                  (samples_per_unexpected * unexpected));
     return std::bit_floor(static_cast<uint32_t>(std::max<uint64_t>(turn, 1)));
 }
 
