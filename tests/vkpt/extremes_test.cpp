@@ -109,7 +109,8 @@ TEST_F(Extremes, CachesThatKnowNothing) {
         for (int batch = 0; batch < 12; ++batch) {
             frame.settings.pt_seed = 5000 + batch;
             // A quarter of the rows of pixels looks where it was dark: more noise.
-            seen.add(trace(frame, frames == 0 ? 64 : 1024));
+            seen.add(
+                trace(frame, static_cast<uint32_t>(frames == 0 ? 64 : 1024 * subgroup_factor())));
         }
         judge(fmt::format("after {} dark frames", frames), seen, reference,
               {.everywhere = 0.03, .quadrant = 0.08, .five_blocks = 0.15});

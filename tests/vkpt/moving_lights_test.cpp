@@ -238,7 +238,7 @@ TEST_F(MovingLights, LeaveVlcUnbiased) {
     client::TestLights lights(load_level(files(), "rooms"));
     const Shot view = in_rooms();
     constexpr int block = 4, batch_count = 16, warmup = 6;
-    const int sequences = 16 * factor();
+    const int sequences = 16 * factor() * subgroup_factor();
     set("pt_nee", "lh");
     const PictureBatches expected =
         batches(wandering(view, lights, judged_s), batch_count, 256 * factor(), 1000, block);

@@ -139,6 +139,10 @@ PictureBatches RenderTest::batches(const Shot& shot, int batches, int paths, int
     return result;
 }
 
+int RenderTest::subgroup_factor() {
+    return renderer().device().features().subgroup_size > 8 ? 2 : 1;
+}
+
 void RenderTest::learn(const Shot& shot, int frames) {
     radiance(shot);
     if (!renderer().guided() && !renderer().technique()->learns()) return;

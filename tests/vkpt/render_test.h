@@ -62,6 +62,10 @@ protected:
     /// `frames` frames of it. The same whatever was rendered before.
     static void learn(const Shot& shot, int frames);
     static constexpr int frames_to_learn = 10;
+    /// How many times as many samples of `vlc` show a bias in a few blocks as surely as with
+    /// lavapipe's subgroups of 8. The pixels of a subgroup explore together: the larger it is, the
+    /// fewer errors of a block are independent.
+    static int subgroup_factor();
     /// Runs the passes that learn from what was traced last, the technique's and the octree's;
     /// returns what the latter counted. `commands` are free before and after.
     static shader::GuidingWork adapt(gpu::FrameCommands& commands);
