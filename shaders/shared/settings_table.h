@@ -94,7 +94,7 @@
     INTEGER(pt_rest_after, Archived, Reference, 128, 0, 1000000, \
         "Guiding: Frames without any change after which it learns from one frame of 31 only. 0: from each, as in the paper.") \
     INTEGER(pt_learn_every, Archived, Reference, 4, 1, 16, \
-        "Guiding: Of up to so many frames one is learned from, where it has far more samples than caches have lights. 1: each, as in the paper.") \
+        "Guiding: Of up to so many frames one is learned from, where caches have few lights and little is new to see. 1: each, as in the paper.") \
     GPU_INTEGER(pt_vlc_bucket, Archived, Reference, 32, 1, 64, \
         "vlc: Most lights weighted per hit. Caches with more lights have several buckets.") \
     GPU_REAL(pt_vlc_explore, Archived, Reference, 0.03, 0.0, 1.0, \

@@ -104,15 +104,12 @@ constexpr double contour_rounding = 2.0 * 3e-6;
 
 /// Whether form_factor() goes by the contour of this light, not by points on it.
 bool by_contour(const shader::Light& light, const shader::LtcSurface& surface) {
-    const glm::vec3 v0 = light.v0 - surface.position;
-    const glm::vec3 height =
-        glm::dot(surface.normal, v0) +
-        glm::vec3(0.0f, glm::dot(surface.normal, light.e1), glm::dot(surface.normal, light.e2));
+    const glm::vec3 v0 = light.v0 - surface.position, normal = surface.normal;
+    const glm::vec3 height = glm::dot(normal, v0) + glm::vec3(0.0f, glm::dot(normal, light.e1),
+                                                              glm::dot(normal, light.e2));
     const float facing = shader::light_facing(light, surface.position);
-    const float nearest = shader::point_form_factor(v0, light.e1, light.e2, height, facing).y;
-    const bool cut = std::min({height.x, height.y, height.z}) < 0.0f;
-    return glm::dot(light.e1, light.e1) + glm::dot(light.e2, light.e2) >
-           (cut ? shader::FORM_FACTOR_CUT : shader::FORM_FACTOR_WHOLE) * nearest;
+    return shader::form_factor(normal, v0, light.e1, light.e2, facing) !=
+           shader::point_form_factor(v0, light.e1, light.e2, height, facing).x;
 }
 
 /// The importance that shaders give a light of a leaf. Its error is what happens to it where single
