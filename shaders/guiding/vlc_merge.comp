@@ -148,8 +148,10 @@ void main() {
     const uint table_buckets = min(table_bucket_count(keep ? total + lights_before : total), most_buckets);
     table_clear(table_buckets);
     barrier();
-    for (uint list = 0u; list < LISTS; ++list)
-        for (uint i = lane; i < list_length[list]; i += LANES) table_insert(table_buckets, light_samples[list_first[list] + i], 0u);
+    for (uint list = 0u; list < LISTS; ++list) {
+        const uint age = list == 0u ? 0u : settings.persist - min(settings.persist, VLC_BORROWED);
+        for (uint i = lane; i < list_length[list]; i += LANES) table_insert(table_buckets, light_samples[list_first[list] + i], age);
+    }
     if (keep && lights_before > 0u)
         insert_old_cache(table_buckets, first_before, buckets_before,
                          ageing((old_leaves[leaf_word(LEAF_SOURCE, leaf)] & SOURCE_SPLIT) != 0u));

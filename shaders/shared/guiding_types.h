@@ -129,6 +129,9 @@ SHADER_FN float light_sample_estimate(uint light_sample) { return exp2(float(lig
 SHADER_CONST uint VLC_ID_MASK = 0x07ffffffu;
 SHADER_CONST uint VLC_AGE_SHIFT = 27u;
 SHADER_CONST uint VLC_OLDEST = 30u; // so that no entry looks like NONE
+/// For how many frames a light stays that only a neighbour has seen: as many as it takes to ask all
+/// neighbours.
+SHADER_CONST uint VLC_BORROWED = 2u;
 
 /// Sums beyond this are kept as this: squares of estimates, which reach 2^126, must not add up to
 /// infinity.

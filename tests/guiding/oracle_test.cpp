@@ -274,6 +274,14 @@ TEST_F(VlcOracle, LightsThatWereNotSeenGrowOlder) {
     EXPECT_TRUE(caches.by_leaf.at("7").buckets.empty());
 }
 
+TEST_F(VlcOracle, LightsThatOnlyNeighboursSeeAreOldAlready) {
+    CacheLimits limits = plenty;
+    limits.persist = 4;
+    EXPECT_EQ(cache(seen({8}), seen({1, 8}), limits).ages, (Ages{{1, 2}, {8, 0}}));
+    limits.persist = 1;
+    EXPECT_EQ(cache(seen({8}), seen({1, 8}), limits).ages, (Ages{{1, 0}, {8, 0}}));
+}
+
 TEST_F(VlcOracle, LightsThatWereNotSeenMustAllHaveRoom) {
     const InnerNodes inner{""};
     CacheLimits limits = plenty;

@@ -235,17 +235,20 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
         Ages lights;
         uint32_t entries = 0;
         uint64_t samples_near = leaf_samples.count;
-        const auto take_in = [&](const Lights& seen) {
+        const auto take_in = [&](const Lights& seen, uint32_t age) {
             for (const uint32_t light : seen)
-                lights[light] = 0;
+                lights.try_emplace(light, age);
             entries += static_cast<uint32_t>(seen.size());
         };
-        take_in(cache.own);
+        take_in(cache.own, 0);
+        // What only neighbours see is soon too old.
+        const uint32_t borrowed =
+            limits.persist > shader::VLC_BORROWED ? limits.persist - shader::VLC_BORROWED : 0;
         for (int face = 0; face < 6; ++face) {
             if ((limits.merge_faces >> face & 1u) == 0) continue;
             const std::optional<Path> neighbour = neighbour_of(inner, leaf, face);
             if (!neighbour) continue;
-            if (leaf_samples.count > 0) take_in(caches.by_leaf.at(*neighbour).own);
+            if (leaf_samples.count > 0) take_in(caches.by_leaf.at(*neighbour).own, borrowed);
             samples_near += samples.at(*neighbour).count;
         }
 
@@ -257,8 +260,11 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
                 entries += before;
                 uint32_t older = samples_near > 0 ? 1 : 0;
                 if (leaf_samples.inherited) older = (7 * limits.persist + 7) / 8;
-                for (const auto& [light, age] : leaf_samples.previous)
-                    if (age + older <= limits.persist) lights.try_emplace(light, age + older);
+                for (const auto& [light, age] : leaf_samples.previous) {
+                    if (age + older > limits.persist) continue;
+                    uint32_t& least = lights.try_emplace(light, age + older).first->second;
+                    least = std::min(least, age + older);
+                }
             }
         }
         if (lights.empty()) continue;
