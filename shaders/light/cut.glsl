@@ -3,31 +3,17 @@
 // single lights nearby, groups of lights farther off. Nothing learns. The sun is drawn beside them (light/sun_share.glsl).
 // Host side: refresh/vkpt/light/cut.cpp.
 #include "light/sun_share.glsl"
-#include "light/cut_lists.glsl"
-
-/// Lights of a group.
-struct Candidates {
-    uint first, end, stride;
-    LtcSurface prepared;
-};
-
-LtcSurface candidate_surface(Candidates candidates) { return candidates.prepared; }
-Candidates candidates_at(Candidates like, uint first, uint end) { return Candidates(first, end, 1u, like.prepared); }
-uint candidate_light(Candidates candidates, uint i) { return load_word(cut_order, i); }
-float candidate_weight(Candidates candidates, uint light) { return light_importance(candidates.prepared, light); }
-
-#include "light/candidate_walk.glsl"
 #include "light/cut_draw.glsl"
 
 /// What the draws of a surface have in common.
 struct CutSearch {
     LightCut cut; // without the sun
     float of_sun; // part of the draws that are of the sun
-    Candidates like;
+    LtcSurface prepared;
 };
 
 CutSearch prepare_search(Surface surface) {
-    CutSearch search = CutSearch(find_cut(surface), 0.0, Candidates(0u, 0u, 1u, prepare_importance(surface)));
+    CutSearch search = CutSearch(find_cut(surface), 0.0, prepare_importance(surface));
     if (!HAS_ENVIRONMENT || search.cut.still.y == 0u) return search;
     if (load_word(cut_entries, search.cut.still.x) != frame.sun_light) return search;
     search.cut.still.x += 1u;
@@ -41,7 +27,7 @@ LightChoice choose_light(Surface surface, inout Random random) {
     vec3 u = random_next3(random);
     if (u.x < search.of_sun) return light_choice(frame.sun_light, search.of_sun);
     u.x = (u.x - search.of_sun) / (1.0 - search.of_sun);
-    const CutDraw draw = draw_from_cut(search.cut, search.like, NONE, u);
+    const CutDraw draw = draw_from_cut(search.cut, search.prepared, NONE, u);
     if (!(draw.probability > 0.0)) return no_light();
     return light_choice(draw.light, (1.0 - search.of_sun) * draw.probability);
 }
@@ -49,5 +35,5 @@ LightChoice choose_light(Surface surface, inout Random random) {
 float light_probability(Surface surface, uint light) {
     const CutSearch search = prepare_search(surface);
     if (HAS_ENVIRONMENT && light == frame.sun_light) return search.of_sun;
-    return (1.0 - search.of_sun) * draw_from_cut(search.cut, search.like, light, vec3(0.0)).probability;
+    return (1.0 - search.of_sun) * draw_from_cut(search.cut, search.prepared, light, vec3(0.0)).probability;
 }

@@ -48,7 +48,7 @@ CutGroup load_group(uint number) {
     const int at = int(number) * CUT_GROUP_TEXELS;
     const vec4 a = load_floats(cut_groups, at), b = load_floats(cut_groups, at + 1), c = load_floats(cut_groups, at + 2);
     const uvec4 d = texelFetch(cut_groups, at + 3);
-    return CutGroup(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d.x, d.y, d.z, d.w);
+    return CutGroup(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d.x, d.y, d.z, 0u);
 }
 
 #endif

@@ -13,7 +13,7 @@
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.
 #include "guiding/octree.glsl"
 #include "light/alias.glsl"
-#include "light/cut_lists.glsl"
+#include "light/cut_draw.glsl"
 #include "light/importance.glsl"
 #include "light/light_list.glsl"
 
@@ -138,24 +138,16 @@ Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
     return shares;
 }
 
-/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing. Without caches:
-/// a group of a cut.
+/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing.
 struct Candidates {
-    uint first, end, stride; // in vlc_words, in the list, or in cut_order
+    uint first, end, stride; // in vlc_words, or in the list
     bool from_cache;
     LightCache cache;
     LightList list;
     LtcSurface prepared;
 };
 
-LtcSurface candidate_surface(Candidates candidates) { return candidates.prepared; }
-
-Candidates candidates_at(Candidates like, uint first, uint end) {
-    return Candidates(first, end, 1u, false, like.cache, like.list, like.prepared);
-}
-
 uint candidate_light(Candidates candidates, uint i) {
-    if (!HAS_CACHES) return load_word(cut_order, i);
     if (!candidates.from_cache) return light_of_list(candidates.list, i);
     const uint entry = load_word(vlc_words, i);
     return entry == NONE ? NONE : entry & VLC_ID_MASK;
@@ -168,7 +160,6 @@ float candidate_weight(Candidates candidates, uint light) {
 }
 
 #include "light/candidate_walk.glsl"
-#include "light/cut_draw.glsl"
 
 Candidates bucket_candidates(LightSearch search, uint first) {
     const uint lights_there = search.cache.buckets > 0u ? bucket_size() : 0u;
@@ -195,8 +186,7 @@ float mixture_probability(LightSearch search, Shares shares, bool cached, Candid
 
 /// Where there are no caches: a draw by `u`, in [0, 1), or the probability of `sought`, unless that is NONE.
 CutDraw draw_without_caches(Surface surface, uint sought, vec3 u) {
-    const Candidates like = Candidates(0u, 0u, 1u, false, LightCache(0u, 0u), LightList(0u, 0u, 0u, 0u, 0u), prepare_importance(surface));
-    return draw_from_cut(find_cut(surface), like, sought, u);
+    return draw_from_cut(find_cut(surface), prepare_importance(surface), sought, u);
 }
 
 LightChoice draw_light(Surface surface, float beside, inout Random random) {

@@ -12,13 +12,16 @@ SHADER_BEGIN
 
 /// An entry of a cluster's cut is the id of a light, or CUT_GROUP and the number of a group.
 SHADER_CONST uint CUT_GROUP = 0x80000000u;
-/// Lights that a draw weighs one by one, at most: those of a group, or of one that is near.
-SHADER_CONST uint CUT_WALK = 32u;
-/// Lights that a draw weighs one by one before it knows their group, at most. What the cut's error
-/// is largest for comes first.
-SHADER_CONST uint CUT_WALKS = 64u;
-/// Groups this wide (squared half diagonal over mean squared distance) are weighed by their lights.
-SHADER_CONST float CUT_NEAR = 0.5f;
+/// Groups of at most so many lights have no halves.
+SHADER_CONST uint CUT_LEAF = 8u;
+/// Lights of a group that was drawn are weighed one by one, if they are at most so many.
+SHADER_CONST uint CUT_WALK = 16u;
+/// Groups wider than this (squared half diagonal over mean squared distance) are opened: their
+/// halves are weighed, or their lights.
+SHADER_CONST float CUT_NEAR = 0.35f;
+/// How much wider they must be for each group or light that a draw has weighed so. As no width is
+/// above 3, a draw weighs at most some 350.
+SHADER_CONST float CUT_HARDER = 1.0f / 128.0f;
 /// Least mean cosines: where a group's estimate is too low, its lights must not become fireflies.
 SHADER_CONST float CUT_LEAST_COSINE = 0.03f;
 
@@ -32,7 +35,8 @@ struct CutGroup {
     float spread; // largest distance of a normal from the axis, in [0, 2]
     uint first;   // of its lights, in cut_order
     uint count;
-    uint left, right; // its halves, where it has more than CUT_WALK lights
+    uint next; // the group after all parts of this one; its first half comes right after itself
+    uint unused;
 };
 SHADER_CONST int CUT_GROUP_TEXELS = 4;
 

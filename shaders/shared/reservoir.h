@@ -39,6 +39,14 @@ SHADER_FN Reservoir new_reservoir(float u) {
     return reservoir;
 }
 
+/// Another choice with what is left of the random number.
+SHADER_FN void reservoir_again(INOUT(Reservoir) reservoir) {
+    reservoir.sum = 0.0f;
+    reservoir.chosen = NONE;
+    reservoir.chosen_importance = 0.0f;
+    reservoir.u = min(reservoir.u, 0.99999994f);
+}
+
 SHADER_FN void reservoir_add(INOUT(Reservoir) reservoir, uint candidate, float importance) {
     if (!(importance > 0.0f)) return;
     if (reservoir.left <= RESERVOIR_USED_UP) {

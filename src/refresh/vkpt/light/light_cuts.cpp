@@ -89,7 +89,10 @@ void LightCuts::set_moving(const Bsp& bsp, const Part& part, std::uint32_t size)
             for (const std::uint32_t place : places)
                 order_.push_back(first_id_ + tree_.lights()[place].id);
             nodes_.clear();
-            if (!places.empty()) grow(0, places, cluster.first_light);
+            if (!places.empty()) {
+                grow(0, places, cluster.first_light);
+                make_groups(0);
+            }
         } else {
             cluster = cuts[by_list[i - 1]];
         }
@@ -155,29 +158,47 @@ void LightCuts::cut(const Bounds& cluster, std::uint32_t size) {
                (distance + least);
     };
     std::vector<std::pair<double, std::uint32_t>> open{{error(0), 0}};
-    while (open.size() < size && open.front().first > 0.0) {
+    while (open.front().first > 0.0) {
         std::ranges::pop_heap(open);
         const std::uint32_t parent = open.back().second;
+        const bool halves = nodes_[parent].count > shader::CUT_LEAF;
+        if (open.size() + (halves ? 2 : nodes_[parent].count) > size + 1) {
+            open.back().first *= -1.0; // no room: it stays, in its order
+            std::ranges::push_heap(open);
+            continue;
+        }
         open.pop_back();
-        for (const std::uint32_t child : {parent + 1, nodes_[parent].right}) {
+        const auto add = [&](std::uint32_t child) {
             open.emplace_back(error(child), child);
             std::ranges::push_heap(open);
+        };
+        if (halves) {
+            add(parent + 1);
+            add(nodes_[parent].right);
+            continue;
         }
+        for (std::uint32_t node = parent; node < parent + 2 * nodes_[parent].count - 1; ++node)
+            if (nodes_[node].count == 1) add(node);
     }
-    std::ranges::sort(open, std::greater{}); // what is weighed light by light comes first
+    // What is opened comes first.
+    std::ranges::sort(open, std::greater{}, [](const auto& node) {
+        return std::pair(std::abs(node.first), node.second);
+    });
     for (const auto& [_, number] : open)
         entries_.push_back(nodes_[number].count == 1 ? order_[nodes_[number].first]
-                                                     : shader::CUT_GROUP | group_of(number));
+                                                     : shader::CUT_GROUP | nodes_[number].group);
 }
 
-std::uint32_t LightCuts::group_of(std::uint32_t number) {
-    if (nodes_[number].group != shader::NONE) return nodes_[number].group;
+void LightCuts::make_groups(std::uint32_t number) {
+    const auto self = static_cast<std::uint32_t>(groups_.size());
+    groups_.push_back({});
+    nodes_[number].group = self;
     const Node& node = nodes_[number];
-    shader::CutGroup group{};
-    if (node.count > shader::CUT_WALK) {
-        group.left = group_of(number + 1);
-        group.right = group_of(node.right);
+    if (node.count > shader::CUT_LEAF) {
+        make_groups(number + 1);
+        make_groups(node.right);
     }
+    shader::CutGroup group{};
     group.middle = node.bounds.center();
     group.reach = glm::max(node.bounds.upper - group.middle, group.middle - node.bounds.lower);
     const float length = glm::length(node.normal_sum);
@@ -190,16 +211,16 @@ std::uint32_t LightCuts::group_of(std::uint32_t number) {
     }
     group.first = node.first;
     group.count = node.count;
-    nodes_[number].group = static_cast<std::uint32_t>(groups_.size());
-    groups_.push_back(group);
-    return nodes_[number].group;
+    group.next = static_cast<std::uint32_t>(groups_.size());
+    groups_[self] = group;
 }
 
 void LightCuts::set_energies(std::span<const shader::Light> lights) {
-    // Halves come before their group.
-    for (shader::CutGroup& group : groups_) {
-        if (group.count > shader::CUT_WALK) {
-            group.energy = groups_[group.left].energy + groups_[group.right].energy;
+    // Halves come after their group.
+    for (std::size_t i = groups_.size(); i-- > 0;) {
+        shader::CutGroup& group = groups_[i];
+        if (group.count > shader::CUT_LEAF) {
+            group.energy = groups_[i + 1].energy + groups_[groups_[i + 1].next].energy;
             continue;
         }
         double energy = 0.0;

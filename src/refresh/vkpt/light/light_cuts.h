@@ -64,7 +64,7 @@ private:
         double energy;
         std::uint32_t first, count; // in order_
         std::uint32_t right;        // second child, the first one follows; 0: a light
-        std::uint32_t group;        // number in groups_; shader::NONE: none yet
+        std::uint32_t group;        // number in groups_, where there is one
     };
 
     /// The list's part of the subtree of a node, as nodes_; `places` are the list's lights in it,
@@ -72,8 +72,8 @@ private:
     void grow(std::uint32_t node, std::span<const std::uint32_t> places, std::uint32_t first);
     /// Adds the entries of a cut through nodes_.
     void cut(const Bounds& cluster, std::uint32_t size);
-    /// The number of a node's group.
-    std::uint32_t group_of(std::uint32_t node);
+    /// The groups of a node of nodes_ and of all its parts.
+    void make_groups(std::uint32_t node);
 
     LightTree tree_;
     std::uint32_t first_id_ = 0; // of the tree's lights
