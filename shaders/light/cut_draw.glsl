@@ -8,24 +8,36 @@
 #include "light/importance.glsl"
 #include "shared/reservoir.h"
 
-/// A light and the probability of its draw.
+/// What was drawn, and the probability of that.
 struct CutDraw {
-    uint light;        // NONE: none was drawn
-    float probability; // 0: none, or the sought light is not in the cut or weighs nothing
+    uint light;        // or a group. NONE: nothing was drawn
+    float probability; // 0: nothing, or the sought light is not among what was weighed or weighs nothing
 };
 
-/// What was chosen, or what has the sought light.
+/// One of what is weighed: by chance, or because it is, or has, the sought light.
 struct CutChoice {
-    Reservoir entries; // lights and groups
+    Reservoir chance;
     uint holder;
     float holder_weight;
 };
 
-void weigh_entry(inout CutChoice choice, uint entry, float weight, bool holds) {
-    reservoir_add(choice.entries, entry, weight);
+CutChoice new_choice(Reservoir chance) { return CutChoice(chance, NONE, 0.0); }
+
+void weigh(inout CutChoice choice, uint entry, float weight, bool holds) {
+    reservoir_add(choice.chance, entry, weight);
     if (!holds) return;
     choice.holder = entry;
     choice.holder_weight = weight;
+}
+
+float group_importance(CutWeight weight) { return min(weight.importance, LIGHT_IMPORTANCE_MOST); }
+bool has_place(CutGroup group, uint place) { return place - group.first < group.count; } // NONE is in none
+
+void weigh_lights(inout CutChoice choice, CutGroup group, LtcSurface surface, uint sought) {
+    for (uint i = group.first; i < group.first + group.count; ++i) {
+        const uint light = load_word(cut_order, i);
+        weigh(choice, light, light_importance(surface, light), light == sought);
+    }
 }
 
 /// Weighs a group, or what stands for it where it is near. `opened`: groups and lights weighed so far in place of others.
@@ -35,68 +47,57 @@ void weigh_group(inout CutChoice choice, inout uint opened, uint number, LtcSurf
         const CutGroup group = load_group(number);
         if (end == NONE) end = group.next;
         const CutWeight weight = cut_weight(group, surface, HAS_GLOSS);
-        const bool parts = group.count > CUT_LEAF;
         const bool opens = weight.importance > 0.0 && weight.width > CUT_NEAR + CUT_HARDER * float(opened);
-        if (!opens) {
-            weigh_entry(choice, CUT_GROUP | number, min(weight.importance, LIGHT_IMPORTANCE_MOST),
-                        place - group.first < group.count); // NONE is in none
-        } else {
-            opened += parts ? 2u : group.count;
-            for (uint i = group.first; !parts && i < group.first + group.count; ++i) {
-                const uint light = load_word(cut_order, i);
-                weigh_entry(choice, light, light_importance(surface, light), light == sought);
-            }
-        }
-        number = opens && parts ? number + 1u : group.next;
+        const bool halves = opens && group.count > CUT_LEAF;
+        if (!opens) weigh(choice, CUT_GROUP | number, group_importance(weight), has_place(group, place));
+        else opened += halves ? 2u : group.count;
+        if (opens && !halves) weigh_lights(choice, group, surface, sought);
+        number = halves ? number + 1u : group.next;
     } while (number != end);
+}
+
+CutDraw draw_of(CutChoice choice, uint sought) {
+    const uint entry = sought == NONE ? choice.chance.chosen : choice.holder;
+    const float weight = sought == NONE ? choice.chance.chosen_importance : choice.holder_weight;
+    if (entry == NONE || !(weight > 0.0)) return CutDraw(NONE, 0.0);
+    return CutDraw(entry, weight / choice.chance.sum);
 }
 
 /// Draws a light by `u`, in [0, 1); or finds the probability of `sought`, unless that is NONE.
 CutDraw draw_from_cut(LightCut cut, LtcSurface surface, uint sought, vec3 u) {
-    const CutDraw nothing = CutDraw(sought, 0.0);
     const uint place = sought == NONE ? NONE : place_in_cut(cut, sought);
-    if (sought != NONE && place == NONE) return nothing;
-    CutChoice choice = CutChoice(new_reservoir(u.x), NONE, 0.0);
+    if (sought != NONE && place == NONE) return CutDraw(NONE, 0.0);
+    CutChoice choice = new_choice(new_reservoir(u.x));
     uint opened = 0u;
     for (uint i = 0u; i < cut_size(cut); ++i) {
         const uint entry = load_word(cut_entries, i < cut.still.y ? cut.still.x + i : cut.moving.x + (i - cut.still.y));
         if ((entry & CUT_GROUP) != 0u) weigh_group(choice, opened, entry & ~CUT_GROUP, surface, sought, place);
-        else weigh_entry(choice, entry, light_importance(surface, entry), entry == sought);
+        else weigh(choice, entry, light_importance(surface, entry), entry == sought);
     }
-    const uint chosen = sought == NONE ? choice.entries.chosen : choice.holder;
-    const float weight = sought == NONE ? choice.entries.chosen_importance : choice.holder_weight;
-    if (chosen == NONE || !(weight > 0.0)) return nothing;
-    float probability = weight / choice.entries.sum;
-    if ((chosen & CUT_GROUP) == 0u) return CutDraw(chosen, probability);
+    CutDraw draw = draw_of(choice, sought);
+    if (draw.light == NONE || (draw.light & CUT_GROUP) == 0u) return draw;
 
-    uint number = chosen & ~CUT_GROUP;
+    float probability = draw.probability;
+    uint number = draw.light & ~CUT_GROUP;
     CutGroup group = load_group(number);
-    Reservoir halves = new_reservoir(u.y);
+    Reservoir chance = new_reservoir(u.y);
     while (group.count > CUT_WALK) {
         const CutGroup left = load_group(number + 1u), right = load_group(left.next);
-        const float a = min(cut_weight(left, surface, HAS_GLOSS).importance, LIGHT_IMPORTANCE_MOST);
-        const float b = min(cut_weight(right, surface, HAS_GLOSS).importance, LIGHT_IMPORTANCE_MOST);
-        if (!(a + b > 0.0)) return nothing;
-        reservoir_again(halves);
-        reservoir_add(halves, number + 1u, a);
-        reservoir_add(halves, left.next, b);
-        const bool in_left = sought == NONE ? halves.chosen == number + 1u : place - left.first < left.count;
-        probability *= (in_left ? a : b) / (a + b);
-        number = in_left ? number + 1u : left.next;
-        group = left;
-        if (!in_left) group = right;
+        choice = new_choice(reservoir_again(chance));
+        weigh(choice, number + 1u, group_importance(cut_weight(left, surface, HAS_GLOSS)), has_place(left, place));
+        weigh(choice, left.next, group_importance(cut_weight(right, surface, HAS_GLOSS)), has_place(right, place));
+        draw = draw_of(choice, sought);
+        if (draw.light == NONE) return draw;
+        probability *= draw.probability;
+        chance = choice.chance;
+        group = right;
+        if (draw.light == number + 1u) group = left;
+        number = draw.light;
     }
-    Reservoir lights = new_reservoir(u.z);
-    float its_weight = 0.0;
-    for (uint i = group.first; i < group.first + group.count; ++i) {
-        const uint light = load_word(cut_order, i);
-        const float importance = light_importance(surface, light);
-        reservoir_add(lights, light, importance);
-        if (light == sought) its_weight = importance;
-    }
-    if (sought == NONE) its_weight = lights.chosen_importance;
-    if (!(its_weight > 0.0)) return nothing;
-    return CutDraw(sought == NONE ? lights.chosen : sought, probability * (its_weight / lights.sum));
+    choice = new_choice(new_reservoir(u.z));
+    weigh_lights(choice, group, surface, sought);
+    draw = draw_of(choice, sought);
+    return CutDraw(draw.light, probability * draw.probability);
 }
 
 #endif

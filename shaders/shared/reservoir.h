@@ -39,12 +39,13 @@ SHADER_FN Reservoir new_reservoir(float u) {
     return reservoir;
 }
 
-/// Another choice with what is left of the random number.
-SHADER_FN void reservoir_again(INOUT(Reservoir) reservoir) {
+/// An empty reservoir with what is left of another's random number.
+SHADER_FN Reservoir reservoir_again(Reservoir reservoir) {
     reservoir.sum = 0.0f;
     reservoir.chosen = NONE;
     reservoir.chosen_importance = 0.0f;
-    reservoir.u = min(reservoir.u, 0.99999994f);
+    reservoir.u = min(reservoir.u, 0.99999994f); // the first one that is added must not miss it
+    return reservoir;
 }
 
 SHADER_FN void reservoir_add(INOUT(Reservoir) reservoir, uint candidate, float importance) {

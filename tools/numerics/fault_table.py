@@ -332,7 +332,7 @@ FAULTS = [
           "        probability *= share;", "        probability *= 1.01 * share;",
           TECHNIQUE, "*KeepsItsPromises/lh_Default"),
     Fault("cut: a light of a group counts 4% too likely", "shaders/light/cut_draw.glsl",
-          "probability * (its_weight / lights.sum)", "1.04 * probability * (its_weight / lights.sum)",
+          "CutDraw(draw.light, probability * draw.probability)", "CutDraw(draw.light, 1.04 * probability * draw.probability)",
           TECHNIQUE, "*KeepsItsPromises/cut_FourEntries"),
     Fault("mixture of vlc: 4% too few draws from the cache", "shaders/light/vlc.glsl",
           "u.x - shares.cache; // below 0: the cache", "u.x - 0.96 * shares.cache; // below 0: the cache", TECHNIQUE, "*KeepsItsPromises/vlc_FourAtMostWithoutLists"),
