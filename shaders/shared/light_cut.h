@@ -16,12 +16,11 @@ SHADER_CONST uint CUT_GROUP = 0x80000000u;
 SHADER_CONST uint CUT_LEAF = 8u;
 /// Lights of a group that was drawn are weighed one by one, if they are at most so many.
 SHADER_CONST uint CUT_WALK = 16u;
-/// Groups wider than this (squared half diagonal over mean squared distance) are opened: their
-/// halves are weighed, or their lights.
+/// Groups wider than this are opened: their halves are weighed, or their lights.
 SHADER_CONST float CUT_NEAR = 0.35f;
 /// How much wider they must be for each group or light that a draw has weighed so. As no width is
-/// above 3, a draw weighs at most some 350.
-SHADER_CONST float CUT_HARDER = 1.0f / 128.0f;
+/// above 3, they are at most some 2,700.
+SHADER_CONST float CUT_HARDER = 1.0f / 1024.0f;
 /// Least mean cosines: where a group's estimate is too low, its lights must not become fireflies.
 SHADER_CONST float CUT_LEAST_COSINE = 0.03f;
 
@@ -49,7 +48,8 @@ SHADER_FN float cut_mean_above(float middle, float reach) {
 /// What a group may add to a surface, and its width.
 struct CutWeight {
     float importance; // 0 only if no light of the group can shine on the surface
-    float width;      // squared half diagonal over mean squared distance, in [0, 3]
+    float width;      // squared half diagonal over mean squared distance, in [0, 3]; in the world
+                      // or, if that is more, where the GGX lobe is a cosine
 };
 
 /// In the unit of ltc_importance().
@@ -85,6 +85,8 @@ SHADER_FN CutWeight cut_weight(CutGroup group, LtcSurface surface, bool glossy) 
         float far = max(dot(turned, turned) + dot(wide, wide) * (1.0f / 3.0f), 1e-8f);
         float lobe = surface.determinant * toward * cut_mean_above(turned.z, wide.z) / (far * far) * INVERSE_PI;
         weight.importance += surface.specular * mix(lobe, diffuse, LTC_DEFENSIVE);
+        // A narrow lobe sees lights apart that lie side by side.
+        if (turned.z + wide.z > 0.0f) weight.width = max(weight.width, dot(wide, wide) / far);
     }
     weight.importance *= group.energy;
     return weight;

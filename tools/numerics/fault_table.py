@@ -47,7 +47,7 @@ LIGHT_TREE = part("light_tree", "tests/light/light_tree_test.cpp", LIGHT + "ligh
 HIERARCHY = part("light_hierarchy", "tests/light/light_hierarchy_test.cpp", "tests/light/light_hierarchy_oracle.cpp",
                  LIGHT + "light_hierarchy.cpp", LIGHT + "light_tree.cpp")
 LIGHT_CUTS = part("light_cuts", "tests/light/light_cuts_test.cpp", LIGHT + "light_cuts.cpp", LIGHT + "light_tree.cpp",
-                  libraries=("vigil_level",), computes=False)
+                  LIGHT + "ltc_table.cpp", libraries=("vigil_level",), computes=False)
 LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/list_sight_test.cpp", "tests/light/cluster_margin_test.cpp",
              LIGHT + "light_lists.cpp", LIGHT + "list_sight.cpp", libraries=("vigil_level",), computes=False)
 PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
@@ -214,7 +214,10 @@ FAULTS = [
           LIGHT_CUTS, "LightCuts.WeighNothing*", quick=True),
     Fault("light cuts: a quarter of the entries asked for", "src/refresh/vkpt/light/light_cuts.cpp",
           "> size + 1) {", "> size / 4 + 1) {",
-          LIGHT_CUTS, "LightCuts.DrawNearly*", quick=True),
+          LIGHT_CUTS, "LightCuts.HaveNoGroups*", quick=True),
+    Fault("light cuts: the width of a group is the same for every lobe", "shaders/shared/light_cut.h",
+          "if (turned.z + wide.z > 0.0f) weight.width", "if (turned.z > 1e30f) weight.width",
+          LIGHT_CUTS, "*NearlyAsGood*", quick=True),
 
     # Lights and clusters that may see each other.
     Fault("a light that reaches into several clusters is missing from one's list",
@@ -477,6 +480,9 @@ FAULTS = [
           ASSISTED_FRAMES, "*/uniform"),
 
     # The same lights in the scene.
+    Fault("a light that flickers counts as one that appears", "src/refresh/vkpt/scene/light_set.cpp",
+          "(old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))", "old.radiance != light.radiance",
+          LIGHT_SET, "LightSet*"),
     Fault("translucent lamps lose 4%", "src/refresh/vkpt/scene/light_set.cpp",
           "light.radiance = source.radiance * tint * (source.coverage * dim * scale_);",
           "light.radiance = source.radiance * tint * (0.96f * source.coverage * dim * scale_);",
