@@ -36,6 +36,7 @@ TEST(LightSet, StylesAndScaleDimAndOnlyThenChangeTheRevision) {
     set.begin_frame(full_styles, 1.0f);
     set.end_frame();
     const uint64_t before = set.revision(), moving = set.moving_revision();
+    const uint64_t places = set.place_revision();
     set.begin_frame(full_styles, 1.0f);
     set.end_frame();
     EXPECT_EQ(set.revision(), before);
@@ -45,8 +46,14 @@ TEST(LightSet, StylesAndScaleDimAndOnlyThenChangeTheRevision) {
     set.end_frame();
     EXPECT_GT(set.revision(), before);
     EXPECT_EQ(set.moving_revision(), moving) << "nothing moved";
+    EXPECT_EQ(set.place_revision(), places) << "nothing appeared";
     EXPECT_EQ(set.lights()[0].radiance, glm::vec3(0.5f));
     EXPECT_EQ(set.lights()[1].radiance, glm::vec3(2.0f));
+    styles[3] = 0.0f;
+    set.begin_frame(styles, 2.0f);
+    set.end_frame();
+    EXPECT_GT(set.place_revision(), places) << "a light went out";
+    EXPECT_EQ(set.moving_revision(), moving);
 }
 
 TEST(LightSet, PlacedLightsMoveWithTheirModel) {
@@ -65,11 +72,14 @@ TEST(LightSet, PlacedLightsMoveWithTheirModel) {
     EXPECT_NEAR(glm::distance(set.lights()[id].e2, glm::vec3(-1, 0, 0)), 0.0f, 1e-6f);
     EXPECT_EQ(set.lights()[id].radiance, glm::vec3(2, 0, 0));
     const uint64_t moving = set.moving_revision(), all = set.revision();
+    const uint64_t places = set.place_revision();
     EXPECT_EQ(place({10, 20, 30}, {0, 90, 0}), id);
     EXPECT_EQ(set.moving_revision(), moving);
+    EXPECT_EQ(set.place_revision(), places);
     EXPECT_EQ(set.revision(), all);
     EXPECT_EQ(place({11, 20, 30}, {0, 90, 0}), id);
     EXPECT_GT(set.moving_revision(), moving);
+    EXPECT_GT(set.place_revision(), places);
 }
 
 TEST(LightSet, VanishedLightsAreDarkAndTheirSlotsTakenOver) {
@@ -83,9 +93,10 @@ TEST(LightSet, VanishedLightsAreDarkAndTheirSlotsTakenOver) {
     set.end_frame();
     set.begin_frame(full_styles, 1.0f);
     EXPECT_EQ(set.place(2, three, identity, glm::vec3(1.0f)), 3u);
-    const uint64_t moving = set.moving_revision();
+    const uint64_t moving = set.moving_revision(), places = set.place_revision();
     set.end_frame();
     EXPECT_GT(set.moving_revision(), moving);
+    EXPECT_GT(set.place_revision(), places);
     EXPECT_EQ(set.lights()[first].radiance, glm::vec3(0.0f));
     EXPECT_EQ(set.lights()[first + 1].radiance, glm::vec3(0.0f));
     EXPECT_NE(set.lights()[3].radiance, glm::vec3(0.0f));

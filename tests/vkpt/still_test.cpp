@@ -162,13 +162,15 @@ TEST_P(StillTest, LearningRestsUntilSomethingChanges) {
 TEST_P(StillTest, LearningTakesTurns) {
     set("pt_guide", "brdf");
     set("pt_oct_scale", "100"); // a few leaves with many samples
-    const auto turns = [&](std::string_view every, float spot_step = 0.0f, float turn = 1.0f) {
+    const auto turns = [&](std::string_view every, float spot_step = 0.0f, float turn = 1.0f,
+                           float fade = 1.0f) {
         set("pt_learn_every", every);
         renderer().reset_guiding();
         std::string learning;
         for (int frame = 0; frame < 24; ++frame) {
             shot_.view.angles.y += turn;
             shot_.spots[0].origin.x += spot_step;
+            shot_.spots[0].radiance *= fade;
             render();
             learning += learns_ ? '1' : '0';
         }
@@ -178,13 +180,16 @@ TEST_P(StillTest, LearningTakesTurns) {
     EXPECT_EQ(turns("1"), each);
     EXPECT_EQ(turns("2"), "111111111101010101010101") << "all of the first 8 frames teach";
     EXPECT_EQ(turns("4"), "111111111100010001000100");
-    EXPECT_EQ(turns("4", 1.0f), each) << "lights change";
-    EXPECT_EQ(turns("4", 0.0f, 100.0f), each) << "each frame shows other surfaces";
+    EXPECT_EQ(turns("4", 0.0f, 1.0f, 0.99f), turns("4")) << "a light grows darker";
+    EXPECT_EQ(turns("4", 1.0f), each) << "a light moves";
+    EXPECT_EQ(turns("4", 0.0f, 97.0f), each) << "each frame shows other surfaces";
     set("pt_view", "samples");
     EXPECT_EQ(turns("4"), each) << "the view counts samples";
     set("pt_view", "none");
     // Where caches have many lights for the samples there are, all frames teach.
     set("pt_oct_scale", "0.3");
+    for (uint32_t id = 10; id < 14; ++id) // of eight faces each
+        shot_.dynamic_lights.push_back({id, {0, 10.0f * static_cast<float>(id), 80}, 2, {9, 9, 9}});
     EXPECT_EQ(turns("4"), each);
 }
 

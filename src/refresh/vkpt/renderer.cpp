@@ -317,10 +317,10 @@ void VkptRenderer::update_accumulation(const FrameDescription& params) {
     std::vector<std::byte> key(sizeof(relevant) + sizeof(more));
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
-    const uint64_t lights_before = std::exchange(light_revision_, scene_->lights().revision());
+    const uint64_t lights_before = std::exchange(light_places_, scene_->lights().place_revision());
     const bool still = key == accumulation_key_ && same_radiance(settings_, accumulation_settings_);
     change_ = still ? Change::Nothing : Change::Something;
-    if (lights_before != light_revision_) change_ = Change::Lights;
+    if (lights_before != light_places_) change_ = Change::Lights;
     const bool changed = !still || time != accumulation_time_;
     if (changed || settings_.pt_accumulate == 0) accumulated_ = 0;
     if (changed) view_accumulated_ = 0;

@@ -53,10 +53,10 @@ constexpr uint32_t turn_at_rest = 31;
 constexpr uint32_t eager_frames = 8;
 /// Samples in a frame, for every light of the caches and frame of a turn, that make that turn
 /// enough (measured: docs/research/history.md).
-constexpr uint64_t samples_per_light = 3;
-/// Of a leaf's samples as many count. Large pictures have more, and their caches gain as much by
-/// learning from each frame.
-constexpr uint64_t samples_per_leaf = 64;
+constexpr double samples_per_light = 0.75;
+/// While the picture changes, of a leaf's samples as many count. Large pictures have more, and
+/// their caches gain as much by learning from each frame.
+constexpr uint64_t samples_per_leaf = 32;
 /// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
 /// turn before: what has none lies on surfaces that are new to see, of which little is learned.
 constexpr uint64_t samples_per_unexpected = 200;
@@ -361,12 +361,15 @@ bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
 }
 
 uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
-    const uint64_t samples_needed = samples_per_light * work.cached_lights;
     const uint64_t rays_needed = uint64_t{options_.settings.memory_rays} * work.nodes;
     uint64_t turn = options_.learn_every;
-    const uint64_t samples =
-        std::min<uint64_t>(work.samples, samples_per_leaf * work.sampled_leaves);
-    if (options_.lights && samples_needed > 0) turn = std::min(turn, samples / samples_needed);
+    if (options_.lights && work.cached_lights > 0) {
+        const uint64_t counted = uint64_t{samples_per_leaf} * work.sampled_leaves;
+        const auto samples = static_cast<double>(
+            still_frames_ > 0 ? work.samples : std::min<uint64_t>(work.samples, counted));
+        turn = std::min(turn,
+                        static_cast<uint64_t>(samples / (samples_per_light * work.cached_lights)));
+    }
     if (options_.guide.guides())
         turn = std::min(turn, rays_needed > 0 ? work.rays / rays_needed : 1);
     // As much is new in each frame of a turn.

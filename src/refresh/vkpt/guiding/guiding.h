@@ -18,8 +18,8 @@ namespace vigil::vkpt {
 /// The most that is new in a frame, against the one before.
 enum class Change {
     Nothing,
-    Something, // camera or models
-    Lights
+    Something, // camera, models, or how bright lights are
+    Lights     // they appear, vanish or move
 };
 
 class Guiding {

@@ -118,10 +118,11 @@ void LightSet::replace(uint32_t id, shader::Light light) {
     if (std::memcmp(&old, &light, sizeof(light)) == 0) return;
     ++revision_;
     if ((light.flags & shader::LIGHT_SUN) != 0) ++sun_revision_;
-    if (id >= static_count_ &&
-        (old.v0 != light.v0 || old.e1 != light.e1 || old.e2 != light.e2 ||
-         (old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))))
-        ++moving_revision_;
+    if (old.v0 != light.v0 || old.e1 != light.e1 || old.e2 != light.e2 ||
+        (old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))) {
+        ++place_revision_;
+        if (id >= static_count_) ++moving_revision_;
+    }
     old = light;
 }
 
@@ -176,6 +177,7 @@ void LightSet::release(const Slot& slot) {
     for (uint32_t i = 0; i < slot.count; ++i)
         lights_[slot.first + i].radiance = glm::vec3(0.0f);
     ++revision_;
+    ++place_revision_;
     ++moving_revision_;
     free_.push_back(slot);
 }

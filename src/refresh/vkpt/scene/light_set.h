@@ -72,7 +72,9 @@ public:
     bool has_moving_sky() const { return has_moving_sky_; }
     /// Grows whenever any light differs from the frame before.
     uint64_t revision() const { return revision_; }
-    /// Grows whenever a light beyond static_count() appears, vanishes or moves.
+    /// Grows whenever a light appears, vanishes or moves; not where one flickers.
+    uint64_t place_revision() const { return place_revision_; }
+    /// The same of lights beyond static_count() only.
     uint64_t moving_revision() const { return moving_revision_; }
 
 private:
@@ -101,6 +103,7 @@ private:
     uint64_t sun_revision_ = 1;
     uint32_t static_count_ = 0;
     uint64_t revision_ = 1;
+    uint64_t place_revision_ = 1;
     uint64_t moving_revision_ = 1;
 };
 
