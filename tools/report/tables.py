@@ -4,7 +4,9 @@
 the means, an estimate; then that of the typical run, with its 95% interval. Bold is a typical run below 1 that stands out
 among all comparisons of its table.
 
-    python3 tools/report/tables.py out/quality.json [MORE.json ...]
+    python3 tools/report/tables.py [--typical] out/quality.json [MORE.json ...]
+
+--typical: of `run bench quality`, typical runs alone, without intervals.
 """
 
 import json
@@ -133,6 +135,14 @@ def by_technique(title, parts, value_of):
     return [title, *labels], lines
 
 
+def typical_quality(report):
+    def typical(value_of):
+        return lambda row: (None, {**(value_of(row)[1] or {"value": None}), "low": None})
+
+    for title, value_of in MEASURES:
+        yield by_technique(title, report["parts"], typical(value_of))
+
+
 def quality(report):
     for title, value_of in MEASURES:
         yield by_technique(title, report["parts"], value_of)
@@ -245,23 +255,26 @@ def markdown_table(head, lines):
     return "\n".join("| " + " | ".join(cells) + " |" for cells in rows)
 
 
-def markdown(report):
+def markdown(report, typical=False):
     """All tables of a report."""
-    return "\n\n".join(markdown_table(head, lines) for head, lines in KINDS[report["measured"]](report))
+    tables_of = typical_quality if typical else KINDS[report["measured"]]
+    return "\n\n".join(markdown_table(head, lines) for head, lines in tables_of(report))
 
 
-def main(paths):
+def main(arguments):
+    typical = "--typical" in arguments
+    paths = [argument for argument in arguments if argument != "--typical"]
     if not paths:
         sys.exit(__doc__)
     for path in paths:
         try:
             measured = json.loads(Path(path).read_text()).get("measured")
-            if measured not in KINDS:
-                sys.exit(f"{path}: no report of `run bench` that has tables")
+            if measured not in KINDS or (typical and measured != "quality"):
+                sys.exit(f"{path}: no report of `run bench` that has such tables")
             report = load(path, measured)
         except (OSError, ValueError) as fault:
             sys.exit(f"{path}: {fault}")
-        print(f"{report['device']}, commit {report['commit']}\n\n{markdown(report)}\n")
+        print(f"{report['device']}, commit {report['commit']}\n\n{markdown(report, typical)}\n")
 
 
 if __name__ == "__main__":
