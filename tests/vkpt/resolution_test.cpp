@@ -39,7 +39,9 @@ TEST(Resolution, FindsTheScaleForARate) {
         resolution.follow(100, 30.0f);
         const double reached = milliseconds_after(resolution, full, 100);
         EXPECT_LT(reached, 1000.0 / 30.0) << full;
-        if (full > 34.0) EXPECT_GT(reached, 0.85 * 1000.0 / 30.0) << full;
+        if (full > 34.0) {
+            EXPECT_GT(reached, 0.85 * 1000.0 / 30.0) << full;
+        }
         // It stays where it is.
         const float scale = resolution.scale();
         milliseconds_after(resolution, full, 100);
