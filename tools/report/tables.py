@@ -6,7 +6,7 @@ among all comparisons of its table.
 
     python3 tools/report/tables.py [--typical] out/quality.json [MORE.json ...]
 
---typical: of `run bench quality`, typical runs alone, without intervals.
+--typical: of `run bench quality`, typical runs alone, without intervals; all reports in one table, with geometric means.
 """
 
 import json
@@ -135,12 +135,21 @@ def by_technique(title, parts, value_of):
     return [title, *labels], lines
 
 
-def typical_quality(report):
-    def typical(value_of):
-        return lambda row: (None, {**(value_of(row)[1] or {"value": None}), "low": None})
+def geometric_mean(values):
+    known = all(value is not None and value > 0 for value in values)
+    return math.exp(sum(map(math.log, values)) / len(values)) if known else None
 
+
+def typical_quality(report):
+    parts = report["parts"]
     for title, value_of in MEASURES:
-        yield by_technique(title, report["parts"], typical(value_of))
+
+        def typical(row):
+            return {**(value_of(row)[1] or {"value": None}), "low": None}
+
+        head, lines = by_technique(title, parts, lambda row: (None, typical(row)))
+        values = zip(*([typical(row)["value"] for row in part["rows"]] for part in parts))
+        yield head, [*lines, ["geometric mean", *(number(geometric_mean(column)) for column in values)]]
 
 
 def quality(report):
@@ -266,14 +275,20 @@ def main(arguments):
     paths = [argument for argument in arguments if argument != "--typical"]
     if not paths:
         sys.exit(__doc__)
+    reports = []
     for path in paths:
         try:
             measured = json.loads(Path(path).read_text()).get("measured")
             if measured not in KINDS or (typical and measured != "quality"):
                 sys.exit(f"{path}: no report of `run bench` that has such tables")
-            report = load(path, measured)
+            reports.append(load(path, measured))
         except (OSError, ValueError) as fault:
             sys.exit(f"{path}: {fault}")
+    if typical:
+        if len({(report["device"], report["commit"]) for report in reports}) > 1:
+            sys.exit("these reports are of several devices or commits")
+        reports = [{**reports[0], "parts": [part for report in reports for part in report["parts"]]}]
+    for report in reports:
         print(f"{report['device']}, commit {report['commit']}\n\n{markdown(report, typical)}\n")
 
 
