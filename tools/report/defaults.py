@@ -13,7 +13,6 @@ the page says that they are not."""
 
 import contextlib
 import io
-import math
 import re
 import sys
 from dataclasses import dataclass
@@ -130,8 +129,7 @@ def names_of(report):
 
 def mean_product(rows, measure):
     """Geometric mean of time x error over the levels that have one; None without any."""
-    known = [value for row in rows.values() if (value := row[measure]["ratio_at_equal_time"]["value"])]
-    return math.exp(sum(map(math.log, known)) / len(known)) if known else None
+    return tables.geometric_mean(row[measure]["ratio_at_equal_time"]["value"] for row in rows.values())
 
 
 def means(rows):

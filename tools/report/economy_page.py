@@ -102,17 +102,12 @@ def ratio(part, label, field):
     return None if row[field]["value"] is None else row[field]["value"] / own[field]["value"]
 
 
-def geometric_mean(values):
-    known = [value for value in values if value]
-    return math.exp(sum(map(math.log, known)) / len(known)) if known else None
-
-
 def interval_text(value):
     return tables.cell((None, value)) if value else ""
 
 
 def mean_text(values):
-    return tables.number(geometric_mean(values))
+    return tables.number(tables.geometric_mean(values))
 
 
 def ratio_of_time(part, label, field):
@@ -187,11 +182,11 @@ def judged(parts, name):
     times = [ratio_of_time(part, name, "path_ms") for part in having]
     return {
         "levels": [part["level"] for part in having],
-        "time": geometric_mean(value["value"] for value in times),
+        "time": tables.geometric_mean(value["value"] for value in times),
         "slower": [part["level"] for part, value in zip(having, times) if value["low"] is not None and value["low"] > 1],
         "faster": [part["level"] for part, value in zip(having, times) if value["high"] is not None and value["high"] < 1],
-        "compile": geometric_mean(ratio(part, name, "compile_s") for part in having),
-        "code": geometric_mean(ratio(part, name, "code_bytes") for part in having),
+        "compile": tables.geometric_mean(ratio(part, name, "compile_s") for part in having),
+        "code": tables.geometric_mean(ratio(part, name, "code_bytes") for part in having),
     }
 
 
@@ -216,7 +211,7 @@ def conclusion(parts, name):
     said = [f"{len(found['levels'])} of {len(parts)} levels lack it."]
     said.append(f"Compiled for it, their path tracing takes {percent(found['time'])} time (geometric mean).")
     said += [f"It is {what} for certain in {', '.join(f'`{level}`' for level in found[what])}." for what in ("slower", "faster") if found[what]]
-    together = geometric_mean(ratio_of_time(part, "all", "path_ms")["value"] for part in parts if row_of(part, name) and row_of(part, "all"))
+    together = tables.geometric_mean(ratio_of_time(part, "all", "path_ms")["value"] for part in parts if row_of(part, name) and row_of(part, "all"))
     if together and found["time"] > 1.02 * together:
         said.append(f"All features together cost {percent(together)} there: what the driver's compiler makes of the code decides, not how much there is.")
     said.append(f"The driver takes {percent(found['compile'])} time to compile"
@@ -261,7 +256,7 @@ def page(report):
 
 def conclusion_of_all(parts):
     found = judged(parts, "all")
-    memory_ratio = geometric_mean(ratio(part, "all", "memory_bytes") for part in parts)
+    memory_ratio = tables.geometric_mean(ratio(part, "all", "memory_bytes") for part in parts)
     return (f"With shaders for everything, path tracing takes {percent(found['time'])} time, and compiling {percent(found['compile'])} "
             f"(geometric means). The memory of buffers and images is {percent(memory_ratio, 'the same')}.")
 

@@ -136,8 +136,9 @@ def by_technique(title, parts, value_of):
 
 
 def geometric_mean(values):
-    known = all(value is not None and value > 0 for value in values)
-    return math.exp(sum(map(math.log, values)) / len(values)) if known else None
+    """Of those that are known: neither None nor 0. None without any."""
+    known = [value for value in values if value]
+    return math.exp(sum(map(math.log, known)) / len(known)) if known else None
 
 
 def typical_quality(report):
@@ -148,8 +149,9 @@ def typical_quality(report):
             return {**(value_of(row)[1] or {"value": None}), "low": None}
 
         head, lines = by_technique(title, parts, lambda row: (None, typical(row)))
-        values = zip(*([typical(row)["value"] for row in part["rows"]] for part in parts))
-        yield head, [*lines, ["geometric mean", *(number(geometric_mean(column)) for column in values)]]
+        columns = zip(*([typical(row)["value"] for row in part["rows"]] for part in parts))
+        means = [None if None in column else geometric_mean(column) for column in columns]
+        yield head, [*lines, ["geometric mean", *map(number, means)]]
 
 
 def quality(report):

@@ -56,7 +56,7 @@ public:
     /// Records the passes that make this frame's octree and caches from the samples of the frame
     /// before, if that stored any. Afterwards set() is the new tree's. `slot` is that of the frame
     /// in flight. Frames store samples as often as there is something to learn from them: all while
-    /// lights change, fewer where one has plenty (Options::learn_every), one of 31 after
+    /// Change::Lights goes on, fewer where one has plenty (Options::learn_every), one of 31 after
     /// Options::rest_after frames in which nothing changes.
     void record(gpu::FrameCommands& commands, size_t slot, Change change);
     /// What the frame counted that was recorded last in `slot`; after its fence.
@@ -128,7 +128,7 @@ private:
     uint32_t cache_words_before_ = 0; // asked for in the frame before the last known
     bool restart_ = true;
     uint32_t still_frames_ = 0; // since something changed, or the octree began
-    uint32_t frames_ = 0;       // since a light changed, or the octree began
+    uint32_t frames_ = 0;       // since Change::Lights, or the octree began
     uint32_t turn_ = 1;         // of so many frames one teaches
     uint32_t learned_ = 0;      // frames learned from
 };
