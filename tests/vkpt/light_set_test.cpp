@@ -56,6 +56,32 @@ TEST(LightSet, StylesAndScaleDimAndOnlyThenChangeTheRevision) {
     EXPECT_EQ(set.moving_revision(), moving);
 }
 
+// Where caches know a light already, all frames need not teach.
+TEST(LightSet, APlaceIsNewOnlyAfterADarkSpell) {
+    LightSet set({triangle({1, 1, 1}, 3), triangle({1, 1, 1}, 4)});
+    std::vector<float> styles = full_styles;
+    const auto is_new = [&](int style, float brightness) {
+        styles[static_cast<size_t>(style)] = brightness;
+        const uint64_t before = set.place_revision();
+        set.begin_frame(styles, 1.0f);
+        set.end_frame();
+        return set.place_revision() != before;
+    };
+    EXPECT_TRUE(is_new(3, 1.0f)) << "the level begins";
+    EXPECT_TRUE(is_new(3, 0.0f)) << "the first time";
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_FALSE(is_new(3, 1.0f)) << i;
+        EXPECT_FALSE(is_new(3, 0.0f)) << i;
+    }
+    EXPECT_TRUE(is_new(4, 0.0f)) << "another light went out";
+    for (uint64_t frame = 3; frame < flicker_frames; ++frame)
+        EXPECT_FALSE(is_new(3, 0.0f)) << frame;
+    EXPECT_FALSE(is_new(3, 1.0f)) << "dark for less than " << flicker_frames;
+    EXPECT_FALSE(is_new(4, 0.0f));
+    EXPECT_TRUE(is_new(4, 1.0f)) << "dark for " << flicker_frames;
+    EXPECT_TRUE(is_new(3, 0.0f)) << "lit since, and out " << flicker_frames << " ago";
+}
+
 TEST(LightSet, PlacedLightsMoveWithTheirModel) {
     LightSet set;
     const std::vector<LightSource> sources{triangle({1, 0, 0})};
@@ -80,6 +106,19 @@ TEST(LightSet, PlacedLightsMoveWithTheirModel) {
     EXPECT_EQ(place({11, 20, 30}, {0, 90, 0}), id);
     EXPECT_GT(set.moving_revision(), moving);
     EXPECT_GT(set.place_revision(), places);
+}
+
+// Lists hold the lit lights alone.
+TEST(LightSet, EntitiesThatFlickerAreListedAgain) {
+    LightSet set;
+    const std::vector<LightSource> sources{triangle({1, 0, 0})};
+    for (int frame = 0; frame < 10; ++frame) {
+        const uint64_t moving = set.moving_revision();
+        set.begin_frame(full_styles, 1.0f);
+        set.place(5, sources, glm::mat4x3(1.0f), glm::vec3(frame % 2 == 0 ? 1.0f : 0.0f));
+        set.end_frame();
+        EXPECT_GT(set.moving_revision(), moving) << frame;
+    }
 }
 
 TEST(LightSet, VanishedLightsAreDarkAndTheirSlotsTakenOver) {

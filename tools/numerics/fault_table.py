@@ -481,7 +481,12 @@ FAULTS = [
 
     # The same lights in the scene.
     Fault("a light that flickers counts as one that appears", "src/refresh/vkpt/scene/light_set.cpp",
-          "(old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))", "old.radiance != light.radiance",
+          "if (moved || ((went_on || went_out) && !flickers)) ++place_revision_;",
+          "if (moved || went_on || went_out) ++place_revision_;", LIGHT_SET, "LightSet*"),
+    Fault("a light that dims counts as one that appears", "src/refresh/vkpt/scene/light_set.cpp",
+          "if (moved || ((went_on", "if (moved || old.radiance != light.radiance || ((went_on", LIGHT_SET, "LightSet*"),
+    Fault("lights of entities that flicker are not listed again", "src/refresh/vkpt/scene/light_set.cpp",
+          "(moved || went_on || went_out)) ++moving", "(moved || ((went_on || went_out) && !flickers))) ++moving",
           LIGHT_SET, "LightSet*"),
     Fault("translucent lamps lose 4%", "src/refresh/vkpt/scene/light_set.cpp",
           "light.radiance = source.radiance * tint * (source.coverage * dim * scale_);",

@@ -68,10 +68,12 @@ ModelGeometry spot_geometry(uint32_t lamp_material, uint32_t tube_material) {
 
 LightSet::LightSet(std::vector<LightSource> world_lights, bool has_sun)
     : world_(std::move(world_lights)), lights_(world_.size() + (has_sun ? 1 : 0)),
-      has_sun_(has_sun), static_count_(static_cast<uint32_t>(lights_.size())) {}
+      went_out_(lights_.size()), has_sun_(has_sun),
+      static_count_(static_cast<uint32_t>(lights_.size())) {}
 
 void LightSet::begin_frame(std::span<const float> light_styles, float emissive_scale,
                            const Environment& environment) {
+    ++frame_;
     for (auto& [key, slot] : slots_)
         slot.placed = false;
     const bool same =
@@ -118,11 +120,13 @@ void LightSet::replace(uint32_t id, shader::Light light) {
     if (std::memcmp(&old, &light, sizeof(light)) == 0) return;
     ++revision_;
     if ((light.flags & shader::LIGHT_SUN) != 0) ++sun_revision_;
-    if (old.v0 != light.v0 || old.e1 != light.e1 || old.e2 != light.e2 ||
-        (old.radiance == glm::vec3(0.0f)) != (light.radiance == glm::vec3(0.0f))) {
-        ++place_revision_;
-        if (id >= static_count_) ++moving_revision_;
-    }
+    const bool moved = old.v0 != light.v0 || old.e1 != light.e1 || old.e2 != light.e2;
+    const bool went_out = old.radiance != glm::vec3(0.0f) && light.radiance == glm::vec3(0.0f);
+    const bool went_on = old.radiance == glm::vec3(0.0f) && light.radiance != glm::vec3(0.0f);
+    const bool flickers = frame_ - went_out_[id] < flicker_frames;
+    if (moved || ((went_on || went_out) && !flickers)) ++place_revision_;
+    if (id >= static_count_ && (moved || went_on || went_out)) ++moving_revision_;
+    if (went_out) went_out_[id] = frame_;
     old = light;
 }
 
@@ -157,6 +161,7 @@ std::optional<uint32_t> LightSet::place(uint64_t key, std::span<const LightSourc
             slot.first = static_cast<uint32_t>(lights_.size());
             slot.count = count;
             lights_.resize(lights_.size() + count);
+            went_out_.resize(lights_.size());
             ++revision_;
         }
         known = slots_.emplace(key, slot).first;

@@ -24,6 +24,10 @@ inline constexpr uint32_t dynamic_light_triangles = 8;
 /// many lights many times.
 inline constexpr uint32_t max_moving_lights = 1u << 20;
 
+/// Frames for which a light that went out is known still: `vlc` keeps a light of a cache for at
+/// least as long where not every frame teaches.
+inline constexpr uint64_t flicker_frames = 32;
+
 /// The octahedron of a dynamic light of radius 1 around the origin, wound outwards.
 ModelGeometry dynamic_light_geometry(uint32_t material);
 
@@ -72,9 +76,10 @@ public:
     bool has_moving_sky() const { return has_moving_sky_; }
     /// Grows whenever any light differs from the frame before.
     uint64_t revision() const { return revision_; }
-    /// Grows whenever a light appears, vanishes or moves; not where one flickers.
+    /// Grows whenever a light appears, vanishes or moves; not where one dims, nor where one that
+    /// went out in the last flicker_frames goes on, or out again.
     uint64_t place_revision() const { return place_revision_; }
-    /// The same of lights beyond static_count() only.
+    /// Grows whenever a light beyond static_count() appears, vanishes, moves, goes out or on.
     uint64_t moving_revision() const { return moving_revision_; }
 
 private:
@@ -92,6 +97,8 @@ private:
 
     std::vector<LightSource> world_;
     std::vector<shader::Light> lights_;
+    uint64_t frame_ = flicker_frames;
+    std::vector<uint64_t> went_out_; // in which frame, by id; 0: never
     std::map<uint64_t, Slot> slots_;
     std::vector<Slot> free_;
     bool reported_not_finite_ = false; // of a light that stays dark because it is not finite
