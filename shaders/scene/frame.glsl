@@ -13,7 +13,6 @@
 // Constants 0 and 1 belong to trace/trace.glsl.
 layout(constant_id = CONSTANT_SKY) const bool HAS_SKY = true;
 layout(constant_id = CONSTANT_GLOSS) const bool HAS_GLOSS = true;
-layout(constant_id = CONSTANT_LIQUID) const bool HAS_LIQUID = true; // warping or flowing textures
 layout(constant_id = CONSTANT_LIGHTS) const bool HAS_LIGHTS = true;
 layout(constant_id = CONSTANT_ENVIRONMENT) const bool HAS_ENVIRONMENT = false; // sky and sun are lights
 layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u;        // of what the guider keeps: guiding/guider.glsl

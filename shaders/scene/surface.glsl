@@ -58,7 +58,7 @@ vec3 surface_texel(Primitive primitive, BvhTriangle triangle, Material material,
     const vec2 du = primitive.uv1 - primitive.uv0;
     const vec2 dv = primitive.uv2 - primitive.uv0;
     vec2 uv = primitive.uv0 + barycentrics.x * du + barycentrics.y * dv;
-    if (HAS_LIQUID) uv = animate_uv(uv, material.flags);
+    uv = animate_uv(uv, material.flags);
     // Repeats per map unit from the ratio of the triangle's areas in texture and in space.
     const vec3 area = cross(triangle.e1, triangle.e2);
     const float density = sqrt(abs(du.x * dv.y - du.y * dv.x) * inversesqrt(max(dot(area, area), 1e-12)));

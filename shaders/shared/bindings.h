@@ -39,14 +39,13 @@
 #define CONSTANT_GROUP_SIZE 2  // invocations of a work group: guiding
 #define CONSTANT_GUIDER_SIZE 3 // of what the guider keeps: scene/frame.glsl, guiding/guide_adapt.comp
 #define CONSTANT_EFFECTS 4     // some model fades, glows, is a sprite or hidden from some rays: trace/trace.glsl
-#define CONSTANT_SKY 5         // these four say what a level has: scene/frame.glsl
+#define CONSTANT_SKY 5         // what a level has, as GLOSS and LIGHTS: scene/frame.glsl
 #define CONSTANT_GLOSS 6
-#define CONSTANT_LIQUID 7 // warping or flowing textures
+#define CONSTANT_CACHES 7 // light/vlc.glsl
 #define CONSTANT_LIGHTS 8
 #define CONSTANT_VIEW 9         // pt_view is on: post/tonemap.comp
 #define CONSTANT_ANY_HIT 10     // of a benchmark: trace/trace_rays.comp
 #define CONSTANT_ENVIRONMENT 11 // sky and sun are sampled as lights: scene/frame.glsl
-#define CONSTANT_CACHES 12      // light/vlc.glsl
 
 // Which of these buffers a technique has is its business (shaders/light/NAME.glsl).
 #define BINDING_SHADOW_STATISTICS 0 // light/shadow_statistics.glsl; the pass of that name has it as well, alone in set 0

@@ -13,7 +13,6 @@
     ROW(translucent, CONSTANT_TRANSLUCENT) /* some faces or models are */ \
     ROW(sky,         CONSTANT_SKY) \
     ROW(gloss,       CONSTANT_GLOSS) \
-    ROW(liquid,      CONSTANT_LIQUID)      /* warping or flowing textures */ \
     ROW(lights,      CONSTANT_LIGHTS) \
     ROW(effects,     CONSTANT_EFFECTS)     /* some model fades, glows, is a sprite or hidden from some rays */ \
     ROW(environment, CONSTANT_ENVIRONMENT) /* sky and sun are sampled as lights */ \

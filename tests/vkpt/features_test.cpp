@@ -24,7 +24,7 @@ protected:
             {"sky as light", features.environment},
             {"translucency", features.translucent},
             {"gloss", features.gloss},
-            {"liquids", features.liquid},
+            {"liquids", false},
             {"animation", false},
             {"instances", features.instances},
             {"effects", features.effects},

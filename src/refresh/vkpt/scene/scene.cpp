@@ -28,6 +28,10 @@ constexpr size_t least_particles = 256;
 // How far a shell stands off its model, as in Quake II, in map units.
 constexpr float shell_swell = 4.0f, front_shell_swell = 0.5f;
 
+bool is_liquid(const shader::Material& material) {
+    return (material.flags & (shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)) != 0;
+}
+
 bool is_animated(const shader::Material& material) {
     return material.frame_count > 1;
 }
@@ -404,8 +408,6 @@ SceneFeatures Scene::features_of_surfaces() const {
     for (const shader::Material& material : materials_->materials()) {
         features.sky |= (material.flags & shader::MATERIAL_SKY) != 0;
         features.gloss |= (material.flags & shader::MATERIAL_GLOSSY) != 0;
-        features.liquid |=
-            (material.flags & (shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)) != 0;
     }
     features.translucent =
         std::any_of(triangles_.begin(), triangles_.end(), [](const shader::BvhTriangle& t) {
@@ -429,7 +431,9 @@ void Scene::update_features(bool any_instances) {
 }
 
 bool Scene::textures_move() const {
-    return features_.liquid || std::ranges::any_of(materials_->materials(), is_animated);
+    return std::ranges::any_of(materials_->materials(), [](const shader::Material& material) {
+        return is_animated(material) || is_liquid(material);
+    });
 }
 
 SceneFeatures Scene::compiled_features(const refresh::Settings& settings) const {
@@ -455,6 +459,7 @@ refresh::SceneReport Scene::report() const {
         std::ranges::count_if(triangles_, [](const shader::BvhTriangle& t) {
             return (t.flags & shader::TRIANGLE_COVERAGE_MASK) != 255;
         });
+    const uint64_t liquids = std::ranges::count_if(materials, is_liquid);
     const uint64_t animated = std::ranges::count_if(materials, is_animated);
     refresh::SceneReport report;
     report.level = level_->name;
@@ -480,8 +485,7 @@ refresh::SceneReport Scene::report() const {
              : 0},
         {"translucency", features_.translucent, "triangles", translucent},
         {"gloss", features_.gloss, "materials", flagged(shader::MATERIAL_GLOSSY)},
-        {"liquids", features_.liquid, "warping or flowing materials",
-         flagged(shader::MATERIAL_WARP | shader::MATERIAL_FLOWING)},
+        {"liquids", liquids > 0, "warping or flowing materials", liquids},
         {"animation", animated > 0, "animated materials", animated},
         {"instances", features_.instances, "besides the static world",
          instances_.empty() ? 0 : instances_.size() - 1},
