@@ -17,6 +17,7 @@ constexpr Departure departures[] = {
     {"pt_env_nee", "0"},          // section 7.1: next event estimation knows no environment maps
     {"pt_light_points", "1"},     // section 7: plain area sampling
     {"pt_light_density", "area"}, // the same
+    {"pt_oct_start", "0"},        // section 6: the octree follows the frames before
     {"pt_rest_after", "0"},       // section 6: the octree is made anew in every frame
     {"pt_learn_every", "1"},      // the same
     {"pt_vlc_enough", "0"},       // section 4: caches everywhere

@@ -41,11 +41,20 @@ TreeWords download(const vkpt::Guiding::Tree& tree, uint32_t node_capacity) {
     return words;
 }
 
+/// Of a node's cell, as stored.
+Path path_of(const uint32_t* words) {
+    const shader::OctreeCell cell = shader::octree_unpack_cell({words[0], words[1]});
+    Path path;
+    for (uint32_t depth = 0; depth < cell.depth; ++depth)
+        path.push_back(static_cast<char>('0' + shader::octree_child(cell.corner, depth)));
+    return path;
+}
+
 /// Submits the passes of one frame.
-void record_passes(size_t slot) {
+void record_passes(size_t slot, const glm::vec3& eye = {}) {
     gpu::FrameCommands& commands = shared->slots[slot];
     commands.begin();
-    shared->guiding.record(commands, slot, vkpt::Change::Something);
+    shared->guiding.record(commands, slot, vkpt::Change::Something, eye);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
 }
 
@@ -77,31 +86,60 @@ const gpu::Device& GuidingTest::device() {
     return shared->device;
 }
 
-void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size,
-                        uint32_t cdq_bits) {
-    picture_size_ = picture_size;
-    cdq_bits_ = cdq_bits;
-    guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f);
-    start_anew(settings);
+void GuidingTest::restart(std::span<const vkpt::SurfacePoint> surfaces) {
+    guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f, surfaces);
 }
 
-void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
+void GuidingTest::prepare(const shader::GuidingSettings& settings) {
     settings_ = settings;
     const vkpt::GuideChoice guide =
         cdq_bits_ > 0 ? vkpt::GuideChoice{Guide::cdq, cdq_bits_} : vkpt::GuideChoice{};
     guiding().prepare({glm::uvec2(picture_size_), settings, guide, true, first_cache_part_});
-
-    // The first frame starts from a tree that exists nowhere yet.
     frame_ = 0;
+}
+
+void GuidingTest::start(const shader::GuidingSettings& settings, uint32_t picture_size,
+                        uint32_t cdq_bits) {
+    picture_size_ = picture_size;
+    cdq_bits_ = cdq_bits;
+    restart();
+    start_anew(settings);
+}
+
+void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
+    prepare(settings);
+    // The first frame starts from a tree that exists nowhere yet.
     run_passes();
+    take_first_tree();
+    ASSERT_EQ(state_.inner, InnerNodes{""});
+    frame();
+}
+
+void GuidingTest::start_with(const shader::GuidingSettings& settings,
+                             std::span<const vkpt::SurfacePoint> surfaces, const glm::vec3& eye,
+                             uint32_t picture_size) {
+    picture_size_ = picture_size;
+    cdq_bits_ = 0;
+    restart(surfaces);
+    prepare(settings);
+    run_passes(eye);
+    take_first_tree();
+}
+
+void GuidingTest::take_first_tree() {
     const TreeWords seen = download(guiding().tree(), guiding().header().node_capacity);
-    ASSERT_EQ(seen.nodes[0], 1u);
-    ASSERT_EQ(seen.nodes[1] & 0xffu, 0xffu);
-    AdaptedOctree root;
-    root.inner = {""};
-    for (const Path& leaf : leaves_of(root.inner))
-        root.source[leaf] = leaf;
-    state_ = state_after(root, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
+    AdaptedOctree first;
+    const InnerNodes& inner = first.inner;
+    for (uint32_t node = 0; node < seen.nodes[0]; ++node)
+        first.inner.insert(path_of(&seen.cells[2 * size_t{node}]));
+    ASSERT_EQ(seen.nodes[0], inner.size());
+    const Numbering numbers(inner);
+    for (const Path& node : inner)
+        ASSERT_EQ(seen.nodes[1 + numbers.node(node)] & 0xffu, leaf_mask(inner, node)) << node;
+    const std::vector<Path> leaves = leaves_of(inner);
+    for (const Path& leaf : leaves)
+        first.source[leaf] = leaf;
+    state_ = state_after(first, {}, seen, std::vector<uint32_t>(guiding().header().sample_capacity),
                          std::vector<uint32_t>(guiding().header().vlc_capacity), settings_.bucket);
     if (cdq_bits_ > 0) {
         take_quadtrees(
@@ -110,13 +148,13 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
         for (const auto& [path, node] : state_.nodes)
             EXPECT_EQ(field_of(node.quadtree), shader::cdq_even_tree(cdq_bits_)) << path;
     }
-    for (uint32_t leaf = 0; leaf < 8; ++leaf) {
-        EXPECT_EQ(seen.at(shader::LEAF_VLC, leaf, 1), 0u) << "leaf " << leaf;
-        EXPECT_EQ(seen.at(shader::LEAF_CACHED, leaf), 0u) << "leaf " << leaf;
+    for (const Path& leaf : leaves) {
+        EXPECT_EQ(seen.at(shader::LEAF_COUNT, numbers.leaf(leaf)), 0u) << leaf;
+        EXPECT_EQ(seen.at(shader::LEAF_VLC, numbers.leaf(leaf), 1), 0u) << leaf;
+        EXPECT_EQ(seen.at(shader::LEAF_CACHED, numbers.leaf(leaf)), 0u) << leaf;
     }
-    const Disagreements storage = compare_storage({""}, seen, guiding().header().sample_capacity);
+    const Disagreements storage = compare_storage(inner, seen, guiding().header().sample_capacity);
     EXPECT_TRUE(storage.empty()) << storage.text();
-    frame();
 }
 
 glm::uvec3 GuidingTest::cell_of(glm::vec3 position) {
@@ -146,8 +184,8 @@ void GuidingTest::upload() {
     if (cdq_bits_ > 0) gpu::upload_now(device(), guiding().rays(), 0, gpu::bytes_of(state_.rays));
 }
 
-void GuidingTest::run_passes() {
-    record_passes(0);
+void GuidingTest::run_passes(const glm::vec3& eye) {
+    record_passes(0, eye);
     shared->slots[0].finish();
     statistics_ = guiding().statistics(0);
 }

@@ -29,6 +29,12 @@ protected:
     /// Takes other settings that make the octree start anew by themselves, and runs a frame.
     void start_anew(const shader::GuidingSettings& settings);
 
+    /// The same, but with the tree for these surfaces, seen from `eye`. Runs the frame that gives
+    /// its leaves room.
+    void start_with(const shader::GuidingSettings& settings,
+                    std::span<const vkpt::SurfacePoint> surfaces, const glm::vec3& eye,
+                    uint32_t picture_size);
+
     /// The smallest cell that holds a position.
     static glm::uvec3 cell_of(glm::vec3 position);
     /// Stores a sample as the path tracer does.
@@ -39,7 +45,7 @@ protected:
     /// Writes state_ to the GPU's buffers.
     void upload();
     /// Runs the passes on what is there, whatever they make.
-    void run_passes();
+    void run_passes(const glm::vec3& eye = {});
     /// Uploads, runs the passes, compares what they made with the oracle, and makes that the next
     /// frame's state_.
     void frame();
@@ -56,6 +62,10 @@ protected:
     uint32_t first_cache_part_ = 1; // start() makes room for all caches
 
 private:
+    void restart(std::span<const vkpt::SurfacePoint> surfaces = {});
+    void prepare(const shader::GuidingSettings& settings);
+    /// Takes the tree that the first frame made, which has no samples, as the next one's state_.
+    void take_first_tree();
     /// Whether quadtrees keep sums from frame to frame.
     bool remember() const { return cdq_bits_ > 0 && settings_.memory_rays > 0; }
     /// What the oracle makes of state_: tree_ and caches_.

@@ -52,6 +52,8 @@ LISTS = part("light_lists", "tests/light/light_lists_test.cpp", "tests/light/lis
              LIGHT + "light_lists.cpp", LIGHT + "list_sight.cpp", libraries=("vigil_level",), computes=False)
 PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "src/level/pvs.cpp",
            libraries=("vigil_formats",), computes=False)
+OCTREE_START = part("octree_start", "tests/vkpt/octree_start_test.cpp", "src/refresh/vkpt/guiding/octree_start.cpp",
+                    computes=False)
 LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", libraries=("vigil_scene",), computes=False)
 SKY_WINDOWS = part("sky_windows", "tests/vkpt/sky_windows_test.cpp", SCENE + "sky_windows.cpp",
                    libraries=("vigil_common",))
@@ -375,6 +377,14 @@ FAULTS = [
           TECHNIQUE, "*KeepsItsPromises/vlc_CutsAlone"),
     Fault("lights behind walls count as in sight", "src/refresh/vkpt/light/list_sight.cpp",
           "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfThePlacesDraws"),
+    Fault("the first octree expects samples by area alone", "src/refresh/vkpt/guiding/octree_start.cpp",
+          "point.area / squared}", "point.area}", OCTREE_START, "OctreeStart.FollowsTheEye"),
+    Fault("the first octree splits leaves that expect half as much", "src/refresh/vkpt/guiding/octree_start.cpp",
+          "samples > needs.split", "2.0 * samples > needs.split", OCTREE_START, "OctreeStart.IsFineWhereSamplesAreExpected"),
+    Fault("the first octree is seen from the level's middle", "src/refresh/vkpt/guiding/guiding.cpp",
+          "needs.eye = eye;", "needs.eye = header_.corner;", GUIDING, "GuidingFrames.TheFirstTreeFollowsTheSurfaces"),
+    Fault("the leaves of the first octree expect nothing", "src/refresh/vkpt/guiding/guiding.cpp",
+          "words = start.leaf_counts;", "words.assign(words.size(), 0);", GUIDING, "GuidingFrames.TheFirstTreeFollowsTheSurfaces"),
     Fault("guiding learns from each frame", "src/refresh/vkpt/guiding/guiding.cpp",
           "frames_ % turn_ == 0", "turn_ > 0", ENTITIES, "*StillTest.LearningTakesTurns/bvh"),
     Fault("guiding takes turns where surfaces are new", "src/refresh/vkpt/guiding/guiding.cpp",

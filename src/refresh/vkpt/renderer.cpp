@@ -31,6 +31,8 @@ gpu::DeviceOptions device_options(const refresh::Settings& settings) {
 
 /// As refresh.h promises.
 constexpr size_t max_finished_times = 1024;
+/// For the octree of the first frame: it has a thousand nodes or two.
+constexpr size_t start_points = 1u << 16;
 
 } // namespace
 
@@ -86,7 +88,8 @@ void VkptRenderer::reset_side(Side& side) {
     const Bounds& bounds = scene_->world_bounds();
     const glm::vec3 extent = bounds.extent();
     const float size = 1.0137f * std::max({extent.x, extent.y, extent.z, 1.0f});
-    side.forget(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size);
+    side.forget(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size,
+                surface_points(scene_->world_triangles(), start_points));
 }
 
 refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
@@ -199,10 +202,10 @@ void VkptRenderer::prepare_pipelines() {
     post_.prepare(sides, settings_.pt_view);
 }
 
-void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot) {
+void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot, const glm::vec3& eye) {
     for_each_side([&](Side& side) {
         side.technique()->adapt(commands);
-        side.update_guiding(commands, slot, change_);
+        side.update_guiding(commands, slot, change_, eye);
     });
 }
 
@@ -373,7 +376,7 @@ uint64_t VkptRenderer::draw(const refresh::Frame& frame, bool shown) {
             left_.technique()->upload(commands);
             if (right_) right_->technique()->upload(commands);
         }
-        update_sides(commands, slot);
+        update_sides(commands, slot, frame.view.origin);
 
         // Trace and finish the picture.
         const bool accumulating = settings_.pt_accumulate != 0;

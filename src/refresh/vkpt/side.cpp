@@ -11,9 +11,9 @@ bool Side::select(Technique technique, const TechniqueContext& context) {
     return true;
 }
 
-void Side::forget(const glm::vec3& corner, float size) {
+void Side::forget(const glm::vec3& corner, float size, std::span<const SurfacePoint> surfaces) {
     if (technique_) technique_->forget();
-    guiding_.restart(corner, size);
+    guiding_.restart(corner, size, surfaces);
 }
 
 void Side::prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& settings) {
@@ -23,8 +23,9 @@ void Side::prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& set
     guiding_.prepare(options);
 }
 
-void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, Change change) {
-    if (guided()) guiding_.record(commands, slot, change);
+void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, Change change,
+                          const glm::vec3& eye) {
+    if (guided()) guiding_.record(commands, slot, change, eye);
 }
 
 } // namespace vigil::vkpt

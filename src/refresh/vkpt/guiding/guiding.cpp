@@ -166,6 +166,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
     options.settings.merge_faces = settings.pt_vlc_merge != 0 ? all_faces : 0;
     options.half_merged = settings.pt_vlc_persist >= persist_for_half;
     options.learn_every = static_cast<uint32_t>(settings.pt_learn_every);
+    options.start_fine = settings.pt_oct_start != 0;
     if (settings.pt_view == shader::VIEW_SAMPLES) { // of every frame
         options.rest_after = 0;
         options.learn_every = 1;
@@ -264,23 +265,37 @@ void Guiding::bind(Tree& from, const Tree& to) {
     passes.bind(BINDING_PASS_WORK, work_);
 }
 
-void Guiding::restart(const glm::vec3& corner, float size) {
+void Guiding::restart(const glm::vec3& corner, float size, std::span<const SurfacePoint> surfaces) {
+    surfaces_.assign(surfaces.begin(), surfaces.end());
     header_.corner = corner;
     header_.scale = static_cast<float>(shader::octree_cell_size(0)) / std::max(size, 1e-3f);
     restart_ = true;
 }
 
-void Guiding::upload_start(gpu::FrameCommands& commands) {
+void Guiding::upload_start(gpu::FrameCommands& commands, const glm::vec3& eye) {
     const Tree& tree = trees_[current_];
+    OctreeNeeds needs;
+    needs.corner = header_.corner;
+    needs.scale = header_.scale;
+    needs.eye = eye;
+    needs.samples = 2.0f * static_cast<float>(options_.picture_size.x) *
+                    static_cast<float>(options_.picture_size.y);
+    needs.split = options_.settings.split;
+    needs.most_nodes = header_.node_capacity / 2;
+    const OctreeStart start =
+        start_octree(options_.start_fine ? surfaces_ : std::span<const SurfacePoint>(), needs);
+    const size_t node_count = start.nodes.size();
     commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
-    const uint32_t nodes[] = {1, shader::octree_node(shader::OCTREE_ALL_LEAVES, 0)};
-    commands.upload(tree.nodes, 0, gpu::bytes_of(nodes));
-    const glm::uvec2 root = shader::octree_pack_cell({glm::uvec3(0), 0});
-    commands.upload(tree.cells, 0, gpu::bytes_of_value(root));
-    // Eight leaves without samples, caches, neighbours and experience.
+    const auto counted = static_cast<uint32_t>(node_count);
+    commands.upload(tree.nodes, 0, gpu::bytes_of_value(counted));
+    commands.upload(tree.nodes, sizeof(uint32_t), gpu::bytes_of(start.nodes));
+    commands.upload(tree.cells, 0, gpu::bytes_of(start.cells));
+    // Leaves without samples, caches, neighbours and experience. The passes give them room for as
+    // many samples as are expected.
     using shader::NONE;
     const auto fill = [&](const shader::LeafArray& array, uint32_t value) {
-        const std::vector<uint32_t> words(size_t{8} * array.words, value);
+        std::vector<uint32_t> words(8 * node_count * array.words, value);
+        if (array.first == shader::LEAF_COUNT.first) words = start.leaf_counts;
         const uint64_t word = shader::leaf_array_word(array, 0, header_.node_capacity);
         commands.upload(tree.leaves, word * sizeof(uint32_t), gpu::bytes_of(words));
     };
@@ -293,16 +308,14 @@ void Guiding::upload_start(gpu::FrameCommands& commands) {
             const uint64_t word = shader::node_array_word(array, 0, header_.node_capacity);
             commands.upload(tree.leaves, word * sizeof(uint32_t), words);
         };
-        const std::vector<uint32_t> nothing(
-            std::max(shader::NODE_SHARE.words, guider->memory_words()));
-        const std::span<const std::byte> zeros = gpu::bytes_of(nothing);
-        const glm::uvec4 first = guider->first_words(options_.guide.size);
-        begin(shader::NODE_GUIDE, gpu::bytes_of_value(first));
+        const std::vector<glm::uvec4> first(node_count, guider->first_words(options_.guide.size));
+        begin(shader::NODE_GUIDE, gpu::bytes_of(first));
         for (const shader::NodeArray& array :
-             {shader::NODE_SHARE, shader::NODE_RAYS, shader::NODE_RAY_STORAGE})
-            begin(array, zeros.first(array.words * sizeof(uint32_t)));
-        begin(shader::guide_memory(guider->memory_words()),
-              zeros.first(guider->memory_words() * sizeof(uint32_t)));
+             {shader::NODE_SHARE, shader::NODE_RAYS, shader::NODE_RAY_STORAGE,
+              shader::guide_memory(guider->memory_words())}) {
+            const std::vector<uint32_t> zeros(node_count * array.words);
+            begin(array, gpu::bytes_of(zeros));
+        }
     }
     restart_ = false;
     learned_ = 0;
@@ -387,21 +400,24 @@ bool Guiding::teaches() const {
     return frames_ < eager_frames || frames_ % turn_ == 0;
 }
 
-void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change) {
+void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
+                     const glm::vec3& eye) {
     still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
     frames_ = change == Change::Lights || restart_ ? 0 : frames_ + 1;
     const uint32_t stores = teaches() ? 1 : 0;
     const uint32_t stored = std::exchange(header_.stores, stores);
-    const bool learns = stored != 0 || restart_;
+    const bool starts = restart_;
+    const bool learns = stored != 0 || starts;
     const bool grown = learns && follow_needs(commands, slot);
     if (restart_)
-        upload_start(commands);
+        upload_start(commands, eye);
     else if (grown)
         commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
     else if (stored != stores)
         vkCmdFillBuffer(commands.commands(), header_buffer_.handle(),
                         offsetof(shader::GuidingHeader, stores), sizeof(stores), stores);
     if (learns) learn(commands, slot);
+    if (starts) counted_.at(slot) = false; // those samples are only expected
 }
 
 void Guiding::learn(gpu::FrameCommands& commands, size_t slot) {
