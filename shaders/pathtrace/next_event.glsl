@@ -100,7 +100,8 @@ float subgroup_number(uint vertex) {
 }
 
 /// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the
-/// path's throughput. Measured: docs/research/techniques.md. Where a ray follows, `light_probability` must know the number of draws: all are made.
+/// path's throughput. Measured: docs/research/techniques.md. Where a ray follows, `light_probability` must know the number of draws: all are
+/// made. So they are where all are wanted, as nothing is known yet.
 const float BESIDE_INDIRECT = 0.25;
 
 /// `vertex` counts the path's vertices.
@@ -118,7 +119,8 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         if (direct.light == NONE) direct.light = choice.light;
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
-        const float wanted = vertex > 0u && !ray_follows ? BESIDE_INDIRECT * choice.beside : choice.beside;
+        float wanted = choice.beside;
+        if (vertex > 0u && !ray_follows && wanted < 1.0) wanted *= BESIDE_INDIRECT;
         if (DRAWS_BESIDE == 0 || beside > 0.0 || !(subgroup_number(vertex) < wanted)) break;
         beside = wanted;
     }
