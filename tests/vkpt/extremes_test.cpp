@@ -56,15 +56,18 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
     // What is found seldom, as by a twentieth of draws among all lights, is skewed, and takes many
     // paths.
     expect({{{"pt_explore_local", "0"}, {"pt_vlc_adapt", "0"}}}, 512);
+    const int guided = 128 * subgroup_factor();
     expect({{{"pt_explore_local", "0.8"},
              {"pt_guide", "cdq"},
              {"pt_cdq_adapt", "0"},
-             {"pt_cdq_brdf", "1"}},
-            {{"pt_cdq_brdf", "0"}},
-            {{"pt_cdq_adapt", "1"}},
+             {"pt_cdq_brdf", "1"}}},
+           guided);
+    // The same, of light that no guider has found yet.
+    expect({{{"pt_cdq_brdf", "0"}}}, 512);
+    expect({{{"pt_cdq_adapt", "1"}},
             {{"pt_cdq_margin", "0"}, {"pt_vlc_hysteresis", "0"}},
             {{"pt_cdq_margin", "1"}, {"pt_vlc_hysteresis", "1"}}},
-           64);
+           guided);
     record("shares", "pt_vlc_explore 1, pt_explore_local 0 and 1", "mean that of lh");
     record(
         "shares",
