@@ -26,9 +26,9 @@ constexpr uint32_t most_nodes = 8192, least_nodes = 64;
 /// leaves have no cache, so that in a hall of a thousand lamps one may have 16 buckets or more.
 constexpr uint64_t cache_words_per_leaf = 104;
 static_assert(cache_words_per_leaf >= shader::VLC_LARGEST_BUCKET + shader::VLC_BUCKET_WORDS);
-/// What caches ask for grows by no more from frame to frame. A tree of surfaces has four times the
+/// A tree is expected to grow by no more from frame to frame. One of surfaces has four times the
 /// leaves with each level.
-constexpr double most_growth_of_caches = 3.0;
+constexpr double most_growth = 3.0;
 /// Light samples per pixel that there is room for. A frame without caches stores three, others
 /// two; the rest is for leaves that expect more than they get.
 constexpr uint64_t samples_per_pixel = 4;
@@ -233,7 +233,7 @@ void Guiding::make_buffers() {
     lists_ = make(2 * leaves + nodes, "lists of leaves and nodes");
     counted_.assign(statistics_.size(), false);
     worst_ = {};
-    cache_words_before_ = 0;
+    nodes_before_ = 0;
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
 }
@@ -328,12 +328,12 @@ gpu::Buffer Guiding::make_caches(const shader::GuidingHeader& header) const {
     return caches;
 }
 
-bool Guiding::make_room(gpu::FrameCommands& commands, uint32_t cache_words) {
+bool Guiding::make_room(gpu::FrameCommands& commands, const Needs& needs) {
     // The counts are as old as there are frames in flight. While the tree grows, it goes on as it
-    // did.
-    const double last = std::exchange(cache_words_before_, cache_words);
-    const double growth =
-        last > 0.0 ? std::clamp(cache_words / last, 1.0, most_growth_of_caches) : 1.0;
+    // did, and caches with it.
+    const double last = std::exchange(nodes_before_, needs.nodes);
+    const double growth = last > 0.0 ? std::clamp(needs.nodes / last, 1.0, most_growth) : 1.0;
+    const double cache_words = needs.cache_words;
     const double expected = cache_words * std::pow(growth, static_cast<double>(statistics_.size()));
     const double room = header_.vlc_capacity, most = header_.vlc_most;
     if (8.0 * expected <= 7.0 * room || room == most) return false;
@@ -370,7 +370,7 @@ bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
     worst_.samples = std::max(worst_.samples, needs.samples);
     worst_.rays = std::max(worst_.rays, needs.rays);
     worst_.cache_words = std::max(worst_.cache_words, needs.cache_words);
-    return make_room(commands, needs.cache_words);
+    return make_room(commands, needs);
 }
 
 uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {

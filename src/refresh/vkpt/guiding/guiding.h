@@ -108,7 +108,7 @@ private:
     gpu::Buffer make_caches(const shader::GuidingHeader& header) const;
     void bind(Tree& from, const Tree& to);
     /// Both return whether there is more room now, so that the header is to be uploaded.
-    bool make_room(gpu::FrameCommands& commands, uint32_t cache_words);
+    bool make_room(gpu::FrameCommands& commands, const Needs& needs);
     bool follow_needs(gpu::FrameCommands& commands, size_t slot);
     void upload_start(gpu::FrameCommands& commands, const glm::vec3& eye);
     bool teaches() const;
@@ -129,7 +129,7 @@ private:
     std::vector<SurfacePoint> surfaces_;
     shader::GuidingHeader header_{};
     Needs worst_;
-    uint32_t cache_words_before_ = 0; // asked for in the frame before the last known
+    uint32_t nodes_before_ = 0; // of the frame before the last known
     bool restart_ = true;
     uint32_t still_frames_ = 0; // since something changed, or the octree began
     uint32_t frames_ = 0;       // since Change::Lights, or the octree began
