@@ -28,7 +28,7 @@ using Measure = PartReport(const QualityOptions& options, QualityRenderer& rende
 
 /// Errors and times of single frames after a warm-up.
 Measure measure_errors;
-/// Errors frame by frame from an empty cache.
+/// Errors frame by frame from an empty cache, or from when something has changed.
 Measure measure_curve;
 /// What frames cost while the camera moves to the renderer's first place, pass by pass: the paper's
 /// figures 11 and 12.

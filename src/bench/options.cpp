@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -235,6 +236,14 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
         parser.add_option("--baseline", options.baseline, "the row that ratios are relative to");
         parser.add_option("--reference", options.reference.label,
                           "row or technique that renders references");
+    }
+    if (options.measured == Measured::Curve) {
+        const std::map<std::string, Changing> changes = {
+            {"lamp", Changing::Lamp}, {"door", Changing::Door}, {"strobe", Changing::Strobe}};
+        parser
+            .add_option("--change", options.changing,
+                        "frames count from when a lamp goes on, a door opens, or all lights dim")
+            ->transform(CLI::Transformer(changes));
     }
     if (options.measured == Measured::Errors) {
         parser.add_flag("--floor", options.floor, "the least error that a choice of lights leaves");

@@ -29,7 +29,7 @@ struct QualityRow {
 /// What is measured of every row.
 enum class Measured {
     Errors, // of single frames after a warm-up, and times
-    Curve,  // errors frame by frame from an empty cache, standing still
+    Curve,  // errors frame by frame from an empty cache, or after a change, standing still
     Times,  // of every frame of the warm-up, by pass; no references
     Turn,   // errors frame by frame after a lamp has turned
     Route,  // of `picture`: errors and FLIP of frames while the camera moves, and times
@@ -39,9 +39,10 @@ enum class Measured {
     Economy // Times, and memory, uploads and shaders by what these are compiled for
 };
 
-/// What changes in a scene, of Measured::Change.
+/// What changes in a scene.
 enum class Changing {
-    Lamp,  // one that moves at once
+    Nothing,
+    Lamp,  // one that moves at once, or is switched on
     Door,  // one that is gone at once
     Strobe // all lights, to a quarter
 };
@@ -69,7 +70,7 @@ struct QualityOptions {
     std::string json;               // empty: NAME.json below outdir
     std::string trade;              // of `confirm`: the report whose values are measured again
     std::string pictures;           // folder for pictures of references and runs; empty: none
-    Changing changing = Changing::Lamp; // of Measured::Change
+    Changing changing = Changing::Nothing; // of Measured::Change, and of Curve after the warm-up
     // Of `ring`: frames before the lamp turns, its turns in degrees, and sizes of quadtrees.
     int settle = 0;
     std::vector<int> turns, bits;

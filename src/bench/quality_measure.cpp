@@ -5,6 +5,7 @@
 
 #include "bench/picture_folder.h"
 #include "bench/picture_rows.h"
+#include "bench/scene_changes.h"
 #include "refresh/vkpt/gpu/passes.h"
 
 #include <fmt/format.h>
@@ -45,13 +46,12 @@ double smallest_mse(const Pictures& pictures, const Reference& reference) {
 /// enough for the pictures, by what a pilot says, or the most paths. Returns what the report says
 /// of the place and its reference.
 ordered_json make_reference(const QualityOptions& options, QualityRenderer& renderer,
-                            const Place& place, Progress& progress, Reference& reference,
-                            const Pictures& pictures) {
+                            const std::string& view, const Pose& pose, Progress& progress,
+                            Reference& reference, const Pictures& pictures) {
     const int most = std::max(least_batches, options.reference_paths / reference_batch_paths);
     const auto wanted_variance = [&](const Reference& measured_against) {
         return options.reference_share * smallest_mse(pictures, measured_against);
     };
-    const Pose& pose = place.measured();
     renderer.complete(
         reference, pose,
         {options.reference, options.warmup, options.fresh,
@@ -62,7 +62,7 @@ ordered_json make_reference(const QualityOptions& options, QualityRenderer& rend
          [&](int batches) {
              progress.note(fmt::format("reference, {} paths", batches * reference_batch_paths));
          }});
-    return {{"name", place.name},
+    return {{"name", view},
             {"origin", {pose.origin.x, pose.origin.y, pose.origin.z}},
             {"angles", {pose.angles.x, pose.angles.y, pose.angles.z}},
             {"time_s", pose.time_s},
@@ -172,6 +172,20 @@ ordered_json row_json(const RowResult& row, const RowResult& baseline) {
     return json;
 }
 
+/// What a curve is measured of: the places, with what is new in them, if something changes.
+std::vector<ChangingScene> curve_scenes(const QualityOptions& options, QualityRenderer& renderer) {
+    if (options.changing != Changing::Nothing) {
+        std::vector<ChangingScene> scenes = changing_scenes(options, renderer);
+        for (ChangingScene& scene : scenes)
+            scene.before.lamp.reset(); // it is switched on
+        return scenes;
+    }
+    std::vector<ChangingScene> scenes;
+    for (const Place& place : renderer.places())
+        scenes.emplace_back("nothing", place.name, place.measured());
+    return scenes;
+}
+
 } // namespace
 
 PartReport measure_errors(const QualityOptions& options, QualityRenderer& renderer,
@@ -196,7 +210,8 @@ PartReport measure_errors(const QualityOptions& options, QualityRenderer& render
             pictures[row].push_back(std::move(measured.pictures));
         });
         Reference reference(pictures[0][0][0].size());
-        ordered_json view = make_reference(options, renderer, place, progress, reference, pictures);
+        ordered_json view = make_reference(options, renderer, place.name, place.measured(),
+                                           progress, reference, pictures);
         if (!options.pictures.empty())
             view["pictures"] = write_pictures(options, level, views.size(), reference, pictures);
         if (options.floor) {
@@ -250,12 +265,16 @@ PartReport measure_curve(const QualityOptions& options, QualityRenderer& rendere
         {"mse", &PictureError::mse}, {"trimmed_mse", &PictureError::trimmed_mse}};
     ordered_json views = ordered_json::array();
     std::vector<std::map<std::string, Curve>> curves(options.rows.size());
-    for (const Place& place : renderer.places()) {
+    const bool changes = options.changing != Changing::Nothing;
+    for (const ChangingScene& scene : curve_scenes(options, renderer)) {
         Pictures pictures(options.rows.size());
-        const std::string turns = fmt::format("view {}, seed", place.name);
+        const std::string turns = fmt::format("view {}, seed", scene.view);
         take_turns(options, progress, turns, [&](std::size_t row, int seed) {
+            renderer.change(scene.before);
             renderer.begin_run(options.rows[row], seed);
-            pictures[row].push_back(renderer.stand_still(place.measured(), options.frames));
+            if (changes && options.warmup > 0) renderer.stand_still(scene.pose, options.warmup);
+            renderer.change(scene.after);
+            pictures[row].push_back(renderer.stand_still(scene.pose, options.frames));
         });
         // The last frames are the best ones.
         Pictures last(options.rows.size());
@@ -263,7 +282,8 @@ PartReport measure_curve(const QualityOptions& options, QualityRenderer& rendere
             for (const Run& run : pictures[row])
                 last[row].push_back({run.back()});
         Reference reference(last[0][0][0].size());
-        views.push_back(make_reference(options, renderer, place, progress, reference, last));
+        views.push_back(
+            make_reference(options, renderer, scene.view, scene.pose, progress, reference, last));
         for (std::size_t row = 0; row < options.rows.size(); ++row) {
             for (int frame = 0; frame < options.frames; ++frame) {
                 for (const auto& [name, member] : errors) {
@@ -278,6 +298,7 @@ PartReport measure_curve(const QualityOptions& options, QualityRenderer& rendere
             }
         }
     }
+    renderer.change({});
     ordered_json rows = ordered_json::array();
     for (std::size_t row = 0; row < options.rows.size(); ++row) {
         rows.push_back(to_json(options.rows[row]));
