@@ -210,6 +210,11 @@ TEST_F(Experiments, QualityAdaptTimingAndTradeMakeAPage) {
     const std::string page = VIGIL_SOURCE_DIR "/tools/report/page.py";
     expect_errors_and_times(measure("quality", {"--pictures", file("pictures").string(),
                                                 "--technique", "sll", "--technique", "vlc"}));
+    // A lamp that nobody expects is noisy at first, and then it is known.
+    const json lamp =
+        measure("adapt", {"--frames", "12", "--change", "lamp", "--technique", "vlc"});
+    const json& after = lamp["parts"][0]["rows"][0]["mse"];
+    EXPECT_GT(after["frames"][0]["value"].get<double>(), 2.0 * after["settled"].get<double>());
     const json adapt = measure("adapt", {"--frames", "12"});
     for (const json& row : adapt["parts"][0]["rows"])
         EXPECT_EQ(row["mse"]["frames"].size(), 12u);

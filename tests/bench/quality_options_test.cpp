@@ -114,4 +114,20 @@ TEST(QualityOptions, TheCurveHasNeitherFloorNorPictures) {
     EXPECT_THROW(adapt({"--frames", std::to_string(settled_tail)}), Error);
 }
 
+TEST(QualityOptions, TheCurveCountsFromAChange) {
+    const auto changing = [](const std::vector<std::string>& words) {
+        return adapt_plan(words).options.changing;
+    };
+    EXPECT_EQ(changing({}), Changing::Nothing);
+    EXPECT_EQ(changing({"--change", "lamp"}), Changing::Lamp);
+    EXPECT_EQ(changing({"--change", "door"}), Changing::Door);
+    EXPECT_EQ(changing({"--change", "strobe"}), Changing::Strobe);
+    EXPECT_THROW(changing({"--change", "weather"}), Error);
+    EXPECT_THROW(parse({"--change", "lamp"}), Error);
+    // References and what was measured of the level at rest are others.
+    const std::vector<std::string> door = {"--level", "warehouse", "--change", "door"};
+    EXPECT_EQ(adapt_plan(door).parts.front().name, "warehouse door");
+    EXPECT_EQ(adapt_plan(door).parts.front().level, "warehouse");
+}
+
 } // namespace vigil::bench
