@@ -182,7 +182,7 @@ std::vector<ChangingScene> curve_scenes(const QualityOptions& options, QualityRe
     }
     std::vector<ChangingScene> scenes;
     for (const Place& place : renderer.places())
-        scenes.emplace_back("nothing", place.name, place.measured());
+        scenes.push_back({"nothing", place.name, place.measured(), {}, {}});
     return scenes;
 }
 

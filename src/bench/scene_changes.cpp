@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include <utility>
+
 namespace vigil::bench {
 
 namespace {
@@ -88,8 +90,9 @@ std::vector<ChangingScene> changing_scenes(const QualityOptions& options,
             scenes.push_back(lamp_scene(renderer, place, options.size));
             continue;
         }
-        ChangingScene& scene = scenes.emplace_back("all lamps flash", place.name, place.measured());
+        ChangingScene scene{"all lamps flash", place.name, place.measured(), {}, {}};
         scene.after.brightness = dimmed;
+        scenes.push_back(std::move(scene));
     }
     return scenes;
 }

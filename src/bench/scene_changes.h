@@ -18,8 +18,8 @@ struct ChangingScene {
     SceneChange before, after;
 };
 
-/// One for each place of the renderer; of doors the one, and the view of it, that hides most. The
-/// scene at the end is any of them. Throws Error where no door is seen.
+/// One for each place of the renderer; of doors the one, and the view of it, that hides most.
+/// Leaves the renderer in any of the scenes. Throws Error where no door is seen.
 std::vector<ChangingScene> changing_scenes(const QualityOptions& options,
                                            QualityRenderer& renderer);
 
