@@ -250,7 +250,7 @@ TEST_F(TurningSun, GuidedRaysOfAllTechniques) {
 
     // Every frame has one path per pixel, whose rays the next frame's quadtrees are made of.
     // More of them would not hurt but for the validation layer, whose memory grows with frames.
-    const int sequences = 2 * path_factor();
+    const int sequences = 3 * path_factor();
     set("pt_guide", "cdq");
     for (const TechniqueInfo& info : technique_infos) {
         SCOPED_TRACE(info.name);
