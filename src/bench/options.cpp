@@ -184,6 +184,20 @@ std::filesystem::path folder_with(std::span<const std::filesystem::path> basedir
     return {};
 }
 
+std::string_view changing_name(Changing changing) {
+    switch (changing) {
+    case Changing::Lamp:
+        return "lamp";
+    case Changing::Door:
+        return "door";
+    case Changing::Strobe:
+        return "strobe";
+    case Changing::Nothing:
+        break;
+    }
+    return "";
+}
+
 QualityOptions parse_quality_options(std::span<const std::string> arguments,
                                      const QualityDefaults& defaults) {
     bool quick = std::ranges::find(arguments, "--quick") != arguments.end();
@@ -238,8 +252,9 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
                           "row or technique that renders references");
     }
     if (options.measured == Measured::Curve) {
-        const std::map<std::string, Changing> changes = {
-            {"lamp", Changing::Lamp}, {"door", Changing::Door}, {"strobe", Changing::Strobe}};
+        std::map<std::string, Changing> changes;
+        for (const Changing change : {Changing::Lamp, Changing::Door, Changing::Strobe})
+            changes.emplace(changing_name(change), change);
         parser
             .add_option("--change", options.changing,
                         "frames count from when a lamp goes on, a door opens, or all lights dim")

@@ -46,6 +46,8 @@ enum class Changing {
     Door,  // one that is gone at once
     Strobe // all lights, to a quarter
 };
+/// What options and parts call it.
+std::string_view changing_name(Changing changing);
 
 struct QualityOptions {
     Measured measured = Measured::Errors;

@@ -24,13 +24,13 @@ struct Situation {
     bool needs_door = false;
     bool all_techniques = false;
 };
-constexpr Situation situations[] = {
+const Situation situations[] = {
     {"route", Measured::Route, 1000, Changing::Lamp, false, true},
     {"still", Measured::Still, 1000},
     {"cut", Measured::Cut, 1000},
-    {"lamp", Measured::Change, 1, Changing::Lamp},
-    {"door", Measured::Change, 1, Changing::Door, true},
-    {"strobe", Measured::Change, 1, Changing::Strobe},
+    {changing_name(Changing::Lamp), Measured::Change, 1, Changing::Lamp},
+    {changing_name(Changing::Door), Measured::Change, 1, Changing::Door, true},
+    {changing_name(Changing::Strobe), Measured::Change, 1, Changing::Strobe},
 };
 
 /// Whether a level, which the folders need not have, has doors.

@@ -104,9 +104,9 @@ Plan adapt_plan(std::span<const std::string> arguments) {
     options.frames = 24;
     Plan plan{"adapt", parse_quality_options(arguments, {options, quick(options)}), {}};
     plan.parts = level_parts(plan.options);
-    constexpr std::string_view changes[] = {"", " lamp", " door", " strobe"};
-    for (Part& part : plan.parts)
-        part.name += changes[static_cast<std::size_t>(plan.options.changing)];
+    if (plan.options.changing != Changing::Nothing)
+        for (Part& part : plan.parts)
+            part.name = fmt::format("{} {}", part.level, changing_name(plan.options.changing));
     return plan;
 }
 

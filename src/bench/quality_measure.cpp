@@ -318,7 +318,9 @@ PartReport measure_curve(const QualityOptions& options, QualityRenderer& rendere
         }
     }
     ordered_json report = {{"views", std::move(views)}, {"rows", std::move(rows)}};
-    std::string text = curve_text(options, level, report);
+    std::string text = curve_text(
+        options, changes ? fmt::format("{}, {}", level, changing_name(options.changing)) : level,
+        report);
     return {std::move(report), std::move(text)};
 }
 
