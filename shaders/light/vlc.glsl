@@ -114,6 +114,7 @@ const float DARK_TOTAL = 0.25;
 /// bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the sums is least for
 /// b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M. As one
 /// light's second moment is that of all walks, M grows with their number, and the least share with its root. Until M is known, all draws are made.
+/// So they are in the frame in which a light appears: no cache can have it.
 float explore_total(LightSearch search, uint leaf) {
     const float explore = frame.settings.pt_vlc_explore;
     const bool none = search.cache.buckets == 0u;
@@ -121,6 +122,7 @@ float explore_total(LightSearch search, uint leaf) {
     const uint words = leaf_word(LEAF_EXPLORE, leaf);
     const ExploreMemory memory = explore_unpack(uvec2(load_word(leaf_words, words), load_word(leaf_words, words + 1u)));
     if (!draws_beside()) return none ? 1.0 : max(explore, memory.share);
+    if (guiding.explores != 0u) return 1.0;
     const float known = min(memory.listed / EXPLORE_DRAWS, 1.0); // how well M is
     const float wanted = max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * memory.share / (1.0 - memory.share));
     return max(max(explore, min(wanted, 1.0)), none ? mix(1.0, DARK_TOTAL, known) : 1.0 - known);

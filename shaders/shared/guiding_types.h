@@ -11,8 +11,8 @@
 
 SHADER_BEGIN
 
-/// Written by the host when the octree starts anew, caches get more room, or learning begins or
-/// ends.
+/// Written by the host when the octree starts anew, caches get more room, learning begins or ends,
+/// or lights appear.
 struct GuidingHeader {
     vec3 corner;          // lowest corner of the root's cube, map units
     float scale;          // smallest cells per map unit
@@ -22,6 +22,7 @@ struct GuidingHeader {
     uint vlc_capacity;    // words of all caches that there is room for
     uint vlc_most;        // to which that may grow
     uint stores;          // 1: samples of this frame are stored; 0: nothing is learned from it
+    uint explores;        // 1: every surface looks beside its cache: a light has appeared
 };
 
 /// Arrays by leaf, one after another in one buffer of words (structure of arrays).

@@ -73,12 +73,16 @@ TEST(LightSet, APlaceIsNewOnlyAfterADarkSpell) {
         EXPECT_FALSE(is_new(3, 1.0f)) << i;
         EXPECT_FALSE(is_new(3, 0.0f)) << i;
     }
+    const uint64_t appeared = set.new_revision();
     EXPECT_TRUE(is_new(4, 0.0f)) << "another light went out";
+    EXPECT_EQ(set.new_revision(), appeared);
     for (uint64_t frame = 3; frame < flicker_frames; ++frame)
         EXPECT_FALSE(is_new(3, 0.0f)) << frame;
     EXPECT_FALSE(is_new(3, 1.0f)) << "dark for less than " << flicker_frames;
     EXPECT_FALSE(is_new(4, 0.0f));
+    EXPECT_EQ(set.new_revision(), appeared);
     EXPECT_TRUE(is_new(4, 1.0f)) << "dark for " << flicker_frames;
+    EXPECT_GT(set.new_revision(), appeared);
     EXPECT_TRUE(is_new(3, 0.0f)) << "lit since, and out " << flicker_frames << " ago";
 }
 

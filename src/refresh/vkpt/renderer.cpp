@@ -321,9 +321,11 @@ void VkptRenderer::update_accumulation(const FrameDescription& params) {
     std::memcpy(key.data(), &relevant, sizeof(relevant));
     std::memcpy(key.data() + sizeof(relevant), more, sizeof(more));
     const uint64_t lights_before = std::exchange(light_places_, scene_->lights().place_revision());
+    const uint64_t new_before = std::exchange(new_lights_, scene_->lights().new_revision());
     const bool still = key == accumulation_key_ && same_radiance(settings_, accumulation_settings_);
     change_ = still ? Change::Nothing : Change::Something;
     if (lights_before != light_places_) change_ = Change::Lights;
+    if (new_before != new_lights_) change_ = Change::NewLights;
     const bool changed = !still || time != accumulation_time_;
     if (changed || settings_.pt_accumulate == 0) accumulated_ = 0;
     if (changed) view_accumulated_ = 0;

@@ -165,7 +165,7 @@ private:
     refresh::Settings accumulation_settings_;
     float accumulation_time_ = 0.0f;    // of moving textures; 0 where there are none
     Change change_ = Change::Something; // but for time
-    uint64_t light_places_ = 0;
+    uint64_t light_places_ = 0, new_lights_ = 0;
     /// What the last frame showed, for reports.
     struct Shown {
         bool right = false; // the crosshair looked at the right side

@@ -403,9 +403,10 @@ bool Guiding::teaches() const {
 void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
                      const glm::vec3& eye) {
     still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
-    frames_ = change == Change::Lights || restart_ ? 0 : frames_ + 1;
-    const uint32_t stores = teaches() ? 1 : 0;
+    frames_ = change >= Change::Lights || restart_ ? 0 : frames_ + 1;
+    const uint32_t stores = teaches() ? 1 : 0, explores = change == Change::NewLights ? 1 : 0;
     const uint32_t stored = std::exchange(header_.stores, stores);
+    const uint32_t explored = std::exchange(header_.explores, explores);
     const bool starts = restart_;
     const bool learns = stored != 0 || starts;
     const bool grown = learns && follow_needs(commands, slot);
@@ -413,9 +414,11 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
         upload_start(commands, eye);
     else if (grown)
         commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
-    else if (stored != stores)
-        vkCmdFillBuffer(commands.commands(), header_buffer_.handle(),
-                        offsetof(shader::GuidingHeader, stores), sizeof(stores), stores);
+    else if (stored != stores || explored != explores)
+        vkCmdUpdateBuffer(commands.commands(), header_buffer_.handle(),
+                          offsetof(shader::GuidingHeader, stores),
+                          sizeof(shader::GuidingHeader) - offsetof(shader::GuidingHeader, stores),
+                          &header_.stores);
     if (learns) learn(commands, slot);
     if (starts) counted_.at(slot) = false; // those samples are only expected
 }

@@ -20,7 +20,8 @@ namespace vigil::vkpt {
 enum class Change {
     Nothing,
     Something, // camera, models, or how bright lights are
-    Lights     // they appear, vanish or move
+    Lights,    // they vanish or move
+    NewLights  // they appear
 };
 
 class Guiding {

@@ -125,6 +125,7 @@ void LightSet::replace(uint32_t id, shader::Light light) {
     const bool went_on = old.radiance == glm::vec3(0.0f) && light.radiance != glm::vec3(0.0f);
     const bool flickers = frame_ - went_out_[id] < flicker_frames;
     if (moved || ((went_on || went_out) && !flickers)) ++place_revision_;
+    if (went_on && !flickers) ++new_revision_;
     if (id >= static_count_ && (moved || went_on || went_out)) ++moving_revision_;
     if (went_out) went_out_[id] = frame_;
     old = light;

@@ -79,6 +79,8 @@ public:
     /// Grows whenever a light appears, vanishes or moves; not where one dims, nor where one that
     /// went out in the last flicker_frames goes on, or out again.
     uint64_t place_revision() const { return place_revision_; }
+    /// Grows whenever a light appears that was dark for flicker_frames or more.
+    uint64_t new_revision() const { return new_revision_; }
     /// Grows whenever a light beyond static_count() appears, vanishes, moves, goes out or on.
     uint64_t moving_revision() const { return moving_revision_; }
 
@@ -111,6 +113,7 @@ private:
     uint32_t static_count_ = 0;
     uint64_t revision_ = 1;
     uint64_t place_revision_ = 1;
+    uint64_t new_revision_ = 1;
     uint64_t moving_revision_ = 1;
 };
 
