@@ -230,6 +230,8 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
     if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
     if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
+    // Nothing is learned from a draw of no cache. The surface counts by the one beside it.
+    if (from_cache && search.cache.buckets == 0u && choice.beside >= 1.0) choice.memory.x = NONE;
     choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
     if (choice.light == NONE) {
         // What is not seen says by its last bits which bucket it was drawn from.
@@ -245,6 +247,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
 }
 
 void learn_light(LightChoice choice, uint outcome) {
+    if (choice.memory.x == NONE) return;
     store_light_sample(choice.memory.x, choice.memory.y | (outcome == LIGHT_SEEN ? LIGHT_SAMPLE_VISIBLE : 0u));
 }
 

@@ -92,7 +92,7 @@
     REAL(pt_oct_scale, Session, Reference, 1.0, 0.001, 1000.0, \
         "Octree: Factor on both thresholds. They also follow the number of pixels.") \
     INTEGER(pt_oct_start, Archived, Reference, 1, 0, 1, \
-        "Octree: 1: It begins as fine as the level's surfaces, seen from the camera, let expect. 0: It begins with one node, as in the paper.") \
+        "Octree: 1: It begins as fine as paths traced from the camera let expect. 0: It begins with one node, as in the paper.") \
     INTEGER(pt_rest_after, Archived, Reference, 128, 0, 1000000, \
         "Guiding: Frames without any change after which it learns from one frame of 31 only. 0: from each, as in the paper.") \
     INTEGER(pt_learn_every, Archived, Reference, 4, 1, 16, \

@@ -11,7 +11,9 @@ namespace vigil {
 
 namespace {
 
-bool is_clear(const Bsp& bsp, int32_t child, glm::vec3 from, const glm::vec3& to) {
+/// Below a node, of a line that came through a plane with this normal.
+std::optional<LineHit> hit_below(const Bsp& bsp, int32_t child, glm::vec3 from, const glm::vec3& to,
+                                 glm::vec3 normal) {
     while (child >= 0) {
         const BspNode& node = bsp.nodes[static_cast<size_t>(child)];
         const BspPlane& plane = bsp.planes[node.plane];
@@ -21,11 +23,14 @@ bool is_clear(const Bsp& bsp, int32_t child, glm::vec3 from, const glm::vec3& to
         child = node.children[behind ? 1 : 0];
         if (behind == (after < 0.0f)) continue;
         const glm::vec3 middle = from + (to - from) * (before / (before - after));
-        if (!is_clear(bsp, child, from, middle)) return false;
+        if (std::optional<LineHit> hit = hit_below(bsp, child, from, middle, normal)) return hit;
         from = middle;
+        normal = behind ? -plane.normal : plane.normal;
         child = node.children[behind ? 0 : 1];
     }
-    return (bsp.leafs[static_cast<size_t>(-1 - child)].contents & CONTENTS_SOLID) == 0;
+    const auto leaf = static_cast<uint32_t>(-1 - child);
+    if ((bsp.leafs[leaf].contents & CONTENTS_SOLID) == 0) return std::nullopt;
+    return LineHit{from, normal, leaf};
 }
 
 } // namespace
@@ -70,8 +75,12 @@ int32_t cluster_at(const Bsp& bsp, const glm::vec3& point) {
     return bsp.leafs[leaf_at(bsp, point)].cluster;
 }
 
+std::optional<LineHit> first_hit(const Bsp& bsp, const glm::vec3& from, const glm::vec3& to) {
+    return hit_below(bsp, bsp.models.front().headnode, from, to, glm::vec3(0.0f));
+}
+
 bool is_clear_line(const Bsp& bsp, const glm::vec3& from, const glm::vec3& to) {
-    return is_clear(bsp, bsp.models.front().headnode, from, to);
+    return !first_hit(bsp, from, to);
 }
 
 std::vector<uint32_t> animation_chain(const Bsp& bsp, uint32_t texinfo) {

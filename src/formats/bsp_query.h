@@ -6,6 +6,7 @@
 #include "formats/bsp.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,18 @@ uint32_t leaf_at(const Bsp& bsp, const glm::vec3& point, int32_t headnode);
 /// Cluster of the world's leaf at a point, -1 in solid space and outside.
 int32_t cluster_at(const Bsp& bsp, const glm::vec3& point);
 
-/// Whether nothing solid of the world's tree lies between two points. Brush models are not in it.
+/// Where a line comes to something solid.
+struct LineHit {
+    glm::vec3 point;
+    glm::vec3 normal;  // against the line, not of unit length; 0 where the line begins within
+    uint32_t leaf = 0; // that is solid
+};
+
+/// Where the line from one point to another first meets something solid of the world's tree. Brush
+/// models are not in it.
+std::optional<LineHit> first_hit(const Bsp& bsp, const glm::vec3& from, const glm::vec3& to);
+
+/// Whether there is no such hit.
 bool is_clear_line(const Bsp& bsp, const glm::vec3& from, const glm::vec3& to);
 
 /// Texinfos of the animation that starts at `texinfo`: itself first, then along `next` until the

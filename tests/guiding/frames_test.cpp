@@ -55,14 +55,24 @@ TEST_F(GuidingFrames, TreesFollowTheSamples) {
     }
 }
 
-// Before the first frame there are no samples to follow, but surfaces: samples are where the eye
-// sees most of them. The first frame has the leaves, and room for its samples in them.
-TEST_F(GuidingFrames, TheFirstTreeFollowsTheSurfaces) {
-    const glm::vec3 eye(100.0f, 50.0f, 54.0f);
-    std::vector<vkpt::SurfacePoint> floor;
-    for (int i = 0; i < 256 * 256; ++i)
-        floor.push_back({glm::vec3(16 * (i % 256) - 2040, 16 * (i / 256) - 2040, -10), 256.0f});
-    start_with(settings_with(16), floor, eye, 128);
+// Before the first frame there are no samples to follow, but places that expect them. The first
+// frame has the leaves, and room for its samples in them.
+TEST_F(GuidingFrames, TheFirstTreeFollowsThePlaces) {
+    // A pixel's surface: equal angles see more of what is far. Two samples for each pixel.
+    const auto seen = [](Dice& dice) {
+        const glm::vec3 eye(100.0f, 50.0f, 54.0f);
+        while (true) {
+            const glm::vec3 position(dice.between(-2040, 2040), dice.between(-2040, 2040), -10.0f);
+            const glm::vec3 to_eye = eye - position;
+            if (dice.chance(64.0 * 64.0 / static_cast<double>(glm::dot(to_eye, to_eye))))
+                return position;
+        }
+    };
+    Dice dice(17);
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 1 << 14; ++i)
+        places.push_back(seen(dice));
+    start_with(settings_with(16), places, 128);
     if (HasFatalFailure()) return;
     const auto depth_at = [&](glm::vec3 position) {
         return leaf_with(state_.inner, glm::ivec3(cell_of(position))).value().size();
@@ -72,15 +82,6 @@ TEST_F(GuidingFrames, TheFirstTreeFollowsTheSurfaces) {
     EXPECT_EQ(statistics_.nodes, state_.inner.size());
     EXPECT_EQ(statistics_.splits + statistics_.collapses, 0u);
 
-    // A pixel's surface: equal angles see more of what is far. Two samples for each pixel.
-    const auto seen = [&](Dice& dice) {
-        while (true) {
-            const glm::vec3 position(dice.between(-2040, 2040), dice.between(-2040, 2040), -10.0f);
-            const glm::vec3 to_eye = eye - position;
-            if (dice.chance(64.0 * 64.0 / static_cast<double>(glm::dot(to_eye, to_eye))))
-                return position;
-        }
-    };
     frames(1, 2 * 128 * 128, seen);
     EXPECT_LT(statistics_.dropped, 2 * 128 * 128 / 8);
     EXPECT_LT(statistics_.splits, state_.inner.size() / 4);

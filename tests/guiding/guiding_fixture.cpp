@@ -51,10 +51,10 @@ Path path_of(const uint32_t* words) {
 }
 
 /// Submits the passes of one frame.
-void record_passes(size_t slot, const glm::vec3& eye = {}) {
+void record_passes(size_t slot, std::span<const glm::vec3> places = {}) {
     gpu::FrameCommands& commands = shared->slots[slot];
     commands.begin();
-    shared->guiding.record(commands, slot, vkpt::Change::Something, eye);
+    shared->guiding.record(commands, slot, vkpt::Change::Something, places);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
 }
 
@@ -86,8 +86,8 @@ const gpu::Device& GuidingTest::device() {
     return shared->device;
 }
 
-void GuidingTest::restart(std::span<const vkpt::SurfacePoint> surfaces) {
-    guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f, surfaces);
+void GuidingTest::restart() {
+    guiding().restart(glm::vec3(-4096.0f, -4096.0f, -2048.0f), 8192.0f);
 }
 
 void GuidingTest::prepare(const shader::GuidingSettings& settings) {
@@ -116,13 +116,12 @@ void GuidingTest::start_anew(const shader::GuidingSettings& settings) {
 }
 
 void GuidingTest::start_with(const shader::GuidingSettings& settings,
-                             std::span<const vkpt::SurfacePoint> surfaces, const glm::vec3& eye,
-                             uint32_t picture_size) {
+                             std::span<const glm::vec3> places, uint32_t picture_size) {
     picture_size_ = picture_size;
     cdq_bits_ = 0;
-    restart(surfaces);
+    restart();
     prepare(settings);
-    run_passes(eye);
+    run_passes(places);
     take_first_tree();
 }
 
@@ -184,8 +183,8 @@ void GuidingTest::upload() {
     if (cdq_bits_ > 0) gpu::upload_now(device(), guiding().rays(), 0, gpu::bytes_of(state_.rays));
 }
 
-void GuidingTest::run_passes(const glm::vec3& eye) {
-    record_passes(0, eye);
+void GuidingTest::run_passes(std::span<const glm::vec3> places) {
+    record_passes(0, places);
     shared->slots[0].finish();
     statistics_ = guiding().statistics(0);
 }

@@ -29,10 +29,9 @@ protected:
     /// Takes other settings that make the octree start anew by themselves, and runs a frame.
     void start_anew(const shader::GuidingSettings& settings);
 
-    /// The same, but with the tree for these surfaces, seen from `eye`. Runs the frame that gives
+    /// The same, but with the tree for samples at these places. Runs the frame that gives
     /// its leaves room.
-    void start_with(const shader::GuidingSettings& settings,
-                    std::span<const vkpt::SurfacePoint> surfaces, const glm::vec3& eye,
+    void start_with(const shader::GuidingSettings& settings, std::span<const glm::vec3> places,
                     uint32_t picture_size);
 
     /// The smallest cell that holds a position.
@@ -45,7 +44,7 @@ protected:
     /// Writes state_ to the GPU's buffers.
     void upload();
     /// Runs the passes on what is there, whatever they make.
-    void run_passes(const glm::vec3& eye = {});
+    void run_passes(std::span<const glm::vec3> places = {});
     /// Uploads, runs the passes, compares what they made with the oracle, and makes that the next
     /// frame's state_.
     void frame();
@@ -62,7 +61,7 @@ protected:
     uint32_t first_cache_part_ = 1; // start() makes room for all caches
 
 private:
-    void restart(std::span<const vkpt::SurfacePoint> surfaces = {});
+    static void restart();
     void prepare(const shader::GuidingSettings& settings);
     /// Takes the tree that the first frame made, which has no samples, as the next one's state_.
     void take_first_tree();

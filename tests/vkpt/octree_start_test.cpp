@@ -3,26 +3,26 @@
 // expected.
 #include "refresh/vkpt/guiding/octree_start.h"
 
-#include <cmath>
+#include "shared/random.h"
+
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-#include <limits>
 #include <numeric>
 
 namespace vigil::vkpt {
 namespace {
 
-using shader::BvhTriangle;
-
-/// The floor of a hall, 4096 units wide, as two triangles.
-std::vector<BvhTriangle> hall() {
-    BvhTriangle one{}, two{};
-    one.v0 = {-2048, -2048, -64};
-    one.e1 = {4096, 0, 0};
-    one.e2 = {0, 4096, 0};
-    two.v0 = {2048, 2048, -64};
-    two.e1 = {-4096, 0, 0};
-    two.e2 = {0, -4096, 0};
-    return {one, two};
+/// Places on the floor of a hall, 4096 units wide, as an eye 64 units above `below` sees them.
+std::vector<glm::vec3> hall(glm::vec2 below) {
+    std::vector<glm::vec3> places;
+    shader::Random random = shader::random_begin(glm::uvec2(3, 5), 0, 0);
+    while (places.size() < 1u << 14) {
+        const glm::vec3 u = shader::random_next3(random);
+        const glm::vec2 at = 4096.0f * glm::vec2(u) - 2048.0f;
+        const float along = glm::distance(at, below);
+        if (u.z * (along * along + 4096.0f) < 4096.0f) places.emplace_back(at, -64.0f);
+    }
+    return places;
 }
 
 OctreeNeeds needs() {
@@ -44,30 +44,7 @@ shader::OctreeDescent leaf_at(const OctreeStart& start, const OctreeNeeds& needs
     return descent;
 }
 
-TEST(SurfacePoints, StandForTheAreaOfAllTriangles) {
-    std::vector<BvhTriangle> triangles = hall();
-    triangles.push_back({});                // no area
-    triangles.push_back(triangles.front()); // no finite one
-    triangles.back().e1.x = std::numeric_limits<float>::quiet_NaN();
-    BvhTriangle small{};
-    small.e1 = {1, 0, 0};
-    small.e2 = {0, 1, 0};
-    triangles.push_back(small);
-    const std::vector<SurfacePoint> points = surface_points(triangles, 1000);
-    EXPECT_NEAR(static_cast<double>(points.size()), 1001.0, 3.0);
-    double area = 0.0;
-    glm::dvec3 mean(0.0);
-    for (const SurfacePoint& point : points) {
-        area += static_cast<double>(point.area);
-        mean += glm::dvec3(point.position) * static_cast<double>(point.area);
-    }
-    EXPECT_NEAR(area, 4096.0 * 4096.0 + 0.5, 10.0);
-    EXPECT_NEAR(mean.x / area, 0.0, 20.0);
-    EXPECT_NEAR(mean.y / area, 0.0, 20.0);
-    EXPECT_NEAR(mean.z / area, -64.0, 1e-2);
-}
-
-TEST(OctreeStart, WithoutSurfacesIsTheRoot) {
+TEST(OctreeStart, WithoutPlacesIsTheRoot) {
     const OctreeStart start = start_octree({}, needs());
     ASSERT_EQ(start.nodes.size(), 1u);
     EXPECT_EQ(start.nodes[0] & 0xffu, shader::OCTREE_ALL_LEAVES);
@@ -76,8 +53,7 @@ TEST(OctreeStart, WithoutSurfacesIsTheRoot) {
 
 TEST(OctreeStart, IsFineWhereSamplesAreExpected) {
     const OctreeNeeds asked = needs();
-    const std::vector<SurfacePoint> points = surface_points(hall(), 1u << 16);
-    const OctreeStart start = start_octree(points, asked);
+    const OctreeStart start = start_octree(hall({0, 0}), asked);
     ASSERT_EQ(start.cells.size(), start.nodes.size());
     ASSERT_EQ(start.leaf_counts.size(), 8 * start.nodes.size());
     EXPECT_LT(start.nodes.size(), asked.most_nodes);
@@ -114,38 +90,29 @@ TEST(OctreeStart, IsFineWhereSamplesAreExpected) {
 }
 
 TEST(OctreeStart, FollowsTheEye) {
-    OctreeNeeds asked = needs();
-    const std::vector<SurfacePoint> points = surface_points(hall(), 1u << 16);
-    asked.eye = {1900, 1900, 0};
-    const OctreeStart start = start_octree(points, asked);
-    EXPECT_GT(leaf_at(start, asked, {1900, 1900, -64}).depth,
-              leaf_at(start, asked, {0, 0, -64}).depth);
+    const OctreeStart start = start_octree(hall({1900, 1900}), needs());
+    EXPECT_GT(leaf_at(start, needs(), {1900, 1900, -64}).depth,
+              leaf_at(start, needs(), {0, 0, -64}).depth);
 }
 
 TEST(OctreeStart, HoldsNoMoreNodesThanItMay) {
     OctreeNeeds asked = needs();
     asked.most_nodes = 50;
-    const OctreeStart start = start_octree(surface_points(hall(), 1u << 16), asked);
+    const OctreeStart start = start_octree(hall({0, 0}), asked);
     EXPECT_EQ(start.nodes.size(), 50u);
 }
 
-TEST(OctreeStart, EndsWhereAllSurfacesAreOnePoint) {
-    const std::vector<SurfacePoint> points(100, {glm::vec3(5.0f), 1.0f});
-    const OctreeStart start = start_octree(points, needs());
-    EXPECT_EQ(start.nodes.size(), shader::OCTREE_MAX_DEPTH);
+TEST(OctreeStart, IsNoFinerThanPlacesTell) {
+    OctreeNeeds asked = needs();
+    asked.samples = 1e9f;
+    const std::vector<glm::vec3> places{{5, 5, 5}, {6, 5, 5}, {5, 6, 5}};
+    EXPECT_EQ(start_octree(places, asked).nodes.size(), 1u);
 }
 
-// A leaf has samples or none, whatever the eye is.
-TEST(OctreeStart, StandsAnEyeThatIsNowhere) {
-    const std::vector<SurfacePoint> points = surface_points(hall(), 1000);
-    for (const float nowhere :
-         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
-        OctreeNeeds asked = needs();
-        asked.eye = glm::vec3(nowhere);
-        const OctreeStart start = start_octree(points, asked);
-        for (const uint32_t count : start.leaf_counts)
-            EXPECT_LE(count, 60000u);
-    }
+TEST(OctreeStart, EndsWhereAllPlacesAreOnePoint) {
+    const std::vector<glm::vec3> places(100, glm::vec3(5.0f));
+    const OctreeStart start = start_octree(places, needs());
+    EXPECT_EQ(start.nodes.size(), shader::OCTREE_MAX_DEPTH);
 }
 
 } // namespace

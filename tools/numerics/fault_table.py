@@ -54,6 +54,8 @@ PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "
            libraries=("vigil_formats",), computes=False)
 OCTREE_START = part("octree_start", "tests/vkpt/octree_start_test.cpp", "src/refresh/vkpt/guiding/octree_start.cpp",
                     computes=False)
+FIRST_PATHS = part("first_paths", "tests/vkpt/first_paths_test.cpp", "src/refresh/vkpt/guiding/first_paths.cpp",
+                   "src/refresh/vkpt/frame_params.cpp", libraries=("vigil_scene",), computes=False)
 LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", libraries=("vigil_scene",), computes=False)
 SKY_WINDOWS = part("sky_windows", "tests/vkpt/sky_windows_test.cpp", SCENE + "sky_windows.cpp",
                    libraries=("vigil_common",))
@@ -377,14 +379,18 @@ FAULTS = [
           TECHNIQUE, "*KeepsItsPromises/vlc_CutsAlone"),
     Fault("lights behind walls count as in sight", "src/refresh/vkpt/light/list_sight.cpp",
           "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfThePlacesDraws"),
-    Fault("the first octree expects samples by area alone", "src/refresh/vkpt/guiding/octree_start.cpp",
-          "point.area / squared}", "point.area}", OCTREE_START, "OctreeStart.FollowsTheEye"),
+    Fault("the first paths end where the camera looks", "src/refresh/vkpt/guiding/first_paths.cpp",
+          "bounce <= bounces", "bounce < 1", FIRST_PATHS, "FirstPaths.GoOnFromWhatTheyMeet"),
+    Fault("the first paths go on into the wall", "src/refresh/vkpt/guiding/first_paths.cpp",
+          "shader::make_basis(normal)", "shader::make_basis(-normal)", FIRST_PATHS, "FirstPaths.GoOnFromWhatTheyMeet"),
+    Fault("the first paths take the sky for a surface", "src/refresh/vkpt/guiding/first_paths.cpp",
+          "flags & SURF_SKY) != 0", "flags & SURF_SKY) > SURF_SKY", FIRST_PATHS, "FirstPaths.EndInTheSky"),
     Fault("the first octree splits leaves that expect half as much", "src/refresh/vkpt/guiding/octree_start.cpp",
           "samples > needs.split", "2.0 * samples > needs.split", OCTREE_START, "OctreeStart.IsFineWhereSamplesAreExpected"),
-    Fault("the first octree is seen from the level's middle", "src/refresh/vkpt/guiding/guiding.cpp",
-          "needs.eye = eye;", "needs.eye = header_.corner;", GUIDING, "GuidingFrames.TheFirstTreeFollowsTheSurfaces"),
+    Fault("places do not reach the first octree", "src/refresh/vkpt/guiding/guiding.cpp",
+          "options_.start_fine ? places", "!options_.start_fine ? places", GUIDING, "GuidingFrames.TheFirstTreeFollowsThePlaces"),
     Fault("the leaves of the first octree expect nothing", "src/refresh/vkpt/guiding/guiding.cpp",
-          "words = start.leaf_counts;", "words.assign(words.size(), 0);", GUIDING, "GuidingFrames.TheFirstTreeFollowsTheSurfaces"),
+          "words = start.leaf_counts;", "words.assign(words.size(), 0);", GUIDING, "GuidingFrames.TheFirstTreeFollowsThePlaces"),
     Fault("guiding learns from each frame", "src/refresh/vkpt/guiding/guiding.cpp",
           "frames_ % turn_ == 0", "turn_ > 0", ENTITIES, "*StillTest.LearningTakesTurns/bvh"),
     Fault("guiding takes turns where surfaces are new", "src/refresh/vkpt/guiding/guiding.cpp",

@@ -9,6 +9,7 @@
 #include "refresh/vkpt/export/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/gpu/first_dispatch.h"
+#include "refresh/vkpt/guiding/first_paths.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
 #include "shared/direction_map.h"
 #include "shared/views.h"
@@ -31,8 +32,8 @@ gpu::DeviceOptions device_options(const refresh::Settings& settings) {
 
 /// As refresh.h promises.
 constexpr size_t max_finished_times = 1024;
-/// For the octree of the first frame: it has a thousand nodes or two.
-constexpr size_t start_points = 1u << 16;
+/// For the first octree: they take some 10 milliseconds.
+constexpr uint32_t first_path_count = 1u << 14;
 
 } // namespace
 
@@ -88,8 +89,7 @@ void VkptRenderer::reset_side(Side& side) {
     const Bounds& bounds = scene_->world_bounds();
     const glm::vec3 extent = bounds.extent();
     const float size = 1.0137f * std::max({extent.x, extent.y, extent.z, 1.0f});
-    side.forget(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size,
-                surface_points(scene_->world_triangles(), start_points));
+    side.forget(bounds.center() - size * glm::vec3(0.5013f, 0.4991f, 0.5029f), size);
 }
 
 refresh::ModelHandle VkptRenderer::register_model(std::string_view name) {
@@ -202,10 +202,14 @@ void VkptRenderer::prepare_pipelines() {
     post_.prepare(sides, settings_.pt_view);
 }
 
-void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot, const glm::vec3& eye) {
+void VkptRenderer::update_sides(gpu::FrameCommands& commands, size_t slot,
+                                const FrameDescription& camera) {
+    std::vector<glm::vec3> places; // asked for where an octree starts
     for_each_side([&](Side& side) {
+        if (side.expects_places() && places.empty())
+            places = first_paths(level_->bsp, camera, first_path_count, settings_.pt_bounces);
         side.technique()->adapt(commands);
-        side.update_guiding(commands, slot, change_, eye);
+        side.update_guiding(commands, slot, change_, places);
     });
 }
 
@@ -378,7 +382,7 @@ uint64_t VkptRenderer::draw(const refresh::Frame& frame, bool shown) {
             left_.technique()->upload(commands);
             if (right_) right_->technique()->upload(commands);
         }
-        update_sides(commands, slot, frame.view.origin);
+        update_sides(commands, slot, params);
 
         // Trace and finish the picture.
         const bool accumulating = settings_.pt_accumulate != 0;

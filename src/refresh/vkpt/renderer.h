@@ -103,7 +103,7 @@ private:
     void prepare_sides(const refresh::Frame& frame);
     void for_each_side(const std::function<void(Side&)>& what);
     void prepare_pipelines();
-    void update_sides(gpu::FrameCommands& commands, size_t slot, const glm::vec3& eye);
+    void update_sides(gpu::FrameCommands& commands, size_t slot, const FrameDescription& camera);
     std::vector<PictureSide> picture_sides() const;
     void record_texts(gpu::FrameCommands& commands, std::span<const PictureSide> sides);
     void record_black(gpu::FrameCommands& commands);

@@ -11,9 +11,9 @@ bool Side::select(Technique technique, const TechniqueContext& context) {
     return true;
 }
 
-void Side::forget(const glm::vec3& corner, float size, std::span<const SurfacePoint> surfaces) {
+void Side::forget(const glm::vec3& corner, float size) {
     if (technique_) technique_->forget();
-    guiding_.restart(corner, size, surfaces);
+    guiding_.restart(corner, size);
 }
 
 void Side::prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& settings) {
@@ -24,8 +24,8 @@ void Side::prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& set
 }
 
 void Side::update_guiding(gpu::FrameCommands& commands, size_t slot, Change change,
-                          const glm::vec3& eye) {
-    if (guided()) guiding_.record(commands, slot, change, eye);
+                          std::span<const glm::vec3> places) {
+    if (guided()) guiding_.record(commands, slot, change, places);
 }
 
 } // namespace vigil::vkpt

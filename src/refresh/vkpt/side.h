@@ -26,14 +26,17 @@ public:
     /// Forgets technique and level; the GPU must be idle.
     void clear() { technique_.reset(); }
     /// Forgets what frames taught: the octree is that of a cube (Guiding::restart).
-    void forget(const glm::vec3& corner, float size, std::span<const SurfacePoint> surfaces);
+    void forget(const glm::vec3& corner, float size);
 
     /// Makes what the octree needs for a frame of `picture_size`, the level's frame number `frame`,
     /// if it is of use.
     void prepare_guiding(glm::uvec2 picture_size, const refresh::Settings& settings);
+    /// Whether update_guiding() asks for places.
+    bool expects_places() const { return guided() && guiding_.expects_places(); }
     /// Records the passes that bring the octree to that frame; after the technique's own adapt().
+    /// `places`: see Guiding::record.
     void update_guiding(gpu::FrameCommands& commands, size_t slot, Change change,
-                        const glm::vec3& eye);
+                        std::span<const glm::vec3> places);
 
     LightTechnique* technique() const { return technique_.get(); } ///< null before a level
     Technique id() const { return id_; }

@@ -50,7 +50,7 @@ constexpr int persist_for_half = 4;
 /// Once nothing new is to be seen, one frame of so many teaches.
 constexpr uint32_t turn_at_rest = 31;
 /// All of the first frames teach, and those after a light has changed.
-constexpr uint32_t eager_frames = 8;
+constexpr uint32_t eager_frames = 4;
 /// Samples in a frame, for every light of the caches and frame of a turn, that make that turn
 /// enough (measured: docs/research/history.md).
 constexpr double samples_per_light = 0.75;
@@ -59,7 +59,7 @@ constexpr double samples_per_light = 0.75;
 constexpr uint64_t samples_per_leaf = 32;
 /// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
 /// turn before: what has none lies on surfaces that are new to see, of which little is learned.
-constexpr uint64_t samples_per_unexpected = 200;
+constexpr uint64_t samples_per_unexpected = 100;
 
 /// Factor on the thresholds of the octree, which are those of 1920 x 1080 pixels. In proportion to
 /// the pixels, a small picture would have as many leaves as a large one, each with too few samples
@@ -265,25 +265,23 @@ void Guiding::bind(Tree& from, const Tree& to) {
     passes.bind(BINDING_PASS_WORK, work_);
 }
 
-void Guiding::restart(const glm::vec3& corner, float size, std::span<const SurfacePoint> surfaces) {
-    surfaces_.assign(surfaces.begin(), surfaces.end());
+void Guiding::restart(const glm::vec3& corner, float size) {
     header_.corner = corner;
     header_.scale = static_cast<float>(shader::octree_cell_size(0)) / std::max(size, 1e-3f);
     restart_ = true;
 }
 
-void Guiding::upload_start(gpu::FrameCommands& commands, const glm::vec3& eye) {
+void Guiding::upload_start(gpu::FrameCommands& commands, std::span<const glm::vec3> places) {
     const Tree& tree = trees_[current_];
     OctreeNeeds needs;
     needs.corner = header_.corner;
     needs.scale = header_.scale;
-    needs.eye = eye;
     needs.samples = 2.0f * static_cast<float>(options_.picture_size.x) *
                     static_cast<float>(options_.picture_size.y);
     needs.split = options_.settings.split;
     needs.most_nodes = header_.node_capacity / 2;
     const OctreeStart start =
-        start_octree(options_.start_fine ? surfaces_ : std::span<const SurfacePoint>(), needs);
+        start_octree(options_.start_fine ? places : std::span<const glm::vec3>(), needs);
     const size_t node_count = start.nodes.size();
     commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
     const auto counted = static_cast<uint32_t>(node_count);
@@ -401,7 +399,7 @@ bool Guiding::teaches() const {
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
-                     const glm::vec3& eye) {
+                     std::span<const glm::vec3> places) {
     still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
     frames_ = change >= Change::Lights || restart_ ? 0 : frames_ + 1;
     const uint32_t stores = teaches() ? 1 : 0, explores = change == Change::NewLights ? 1 : 0;
@@ -411,7 +409,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
     const bool learns = stored != 0 || starts;
     const bool grown = learns && follow_needs(commands, slot);
     if (restart_)
-        upload_start(commands, eye);
+        upload_start(commands, places);
     else if (grown)
         commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
     else if (stored != stores || explored != explores)

@@ -39,7 +39,7 @@ public:
         uint32_t rest_after = 0;       // frames without a change; 0: never
         uint32_t learn_every = 1;      // of up to so many frames one teaches, if that is enough
         bool half_merged = false;      // neighbours take turns to be merged
-        bool start_fine = true;        // the first octree follows the surfaces, or has one node
+        bool start_fine = true;        // the first octree follows `places`, or has one node
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
@@ -53,16 +53,19 @@ public:
     /// lights. Returns true if they were made anew: the octree starts anew then, and the GPU is
     /// idle.
     bool prepare(const Options& options);
-    /// Forgets everything: the next record() begins with a tree for these surfaces, without
-    /// samples. `corner` and `size` are the root's cube, in map units.
-    void restart(const glm::vec3& corner, float size, std::span<const SurfacePoint> surfaces = {});
+    /// Forgets everything: the next record() starts a tree, without samples. `corner` and `size`
+    /// are the root's cube, in map units.
+    void restart(const glm::vec3& corner, float size);
+    /// Whether the next record() starts a tree that is to be as fine as places ask for.
+    bool expects_places() const { return restart_ && options_.start_fine; }
     /// Records the passes that make this frame's octree and caches from the samples of the frame
     /// before, if that stored any. Afterwards set() is the new tree's. `slot` is that of the frame
-    /// in flight; `eye` is the camera's. Frames store samples as often as there is something to
-    /// learn from them: all while Change::Lights goes on, fewer where one has plenty
-    /// (Options::learn_every), one of 31 after Options::rest_after frames in which nothing changes.
+    /// in flight; a tree that starts expects samples at `places` (start_octree). Frames store
+    /// samples as often as there is something to learn from them: all while Change::Lights goes on,
+    /// fewer where one has plenty (Options::learn_every), one of 31 after Options::rest_after
+    /// frames in which nothing changes.
     void record(gpu::FrameCommands& commands, size_t slot, Change change,
-                const glm::vec3& eye = {});
+                std::span<const glm::vec3> places = {});
     /// What the frame counted that was recorded last in `slot`; after its fence.
     shader::GuidingWork statistics(size_t slot) const;
 
@@ -111,7 +114,7 @@ private:
     /// Both return whether there is more room now, so that the header is to be uploaded.
     bool make_room(gpu::FrameCommands& commands, const Needs& needs);
     bool follow_needs(gpu::FrameCommands& commands, size_t slot);
-    void upload_start(gpu::FrameCommands& commands, const glm::vec3& eye);
+    void upload_start(gpu::FrameCommands& commands, std::span<const glm::vec3> places);
     bool teaches() const;
     /// Frames of which one is enough, by what a frame counted.
     uint32_t turn_for(const shader::GuidingWork& work) const;
@@ -127,7 +130,6 @@ private:
     gpu::PipelineLayout layout_; // of the passes
     ComputePass mark_, deduplicate_, merge_, guide_, adapt_, augment_;
     Options options_;
-    std::vector<SurfacePoint> surfaces_;
     shader::GuidingHeader header_{};
     Needs worst_;
     uint32_t nodes_before_ = 0; // of the frame before the last known

@@ -90,11 +90,6 @@ public:
 
     // What exporting needs (scene_export.h): everything in its host form.
     const std::vector<shader::BvhTriangle>& host_triangles() const { return triangles_; }
-    /// Those of the static world.
-    std::span<const shader::BvhTriangle> world_triangles() const {
-        return std::span(triangles_)
-            .subspan(placed_.front().first_triangle, placed_.front().triangle_count);
-    }
     const std::vector<shader::Primitive>& host_primitives() const { return primitives_; }
     const std::vector<shader::Instance>& host_instances() const { return instances_; }
     const MaterialSet& host_materials() const { return *materials_; }
