@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Paths that the host traces, in a room of a cube with solid walls, or a sky as its ceiling.
-#include "refresh/vkpt/guiding/first_paths.h"
+#include "refresh/vkpt/pathtrace/first_paths.h"
 
 #include "formats/bsp.h"
 #include "refresh/vkpt/frame_params.h"

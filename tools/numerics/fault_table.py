@@ -54,7 +54,7 @@ PVS = part("pvs", "tests/level/pvs_test.cpp", "tests/formats/small_level.cpp", "
            libraries=("vigil_formats",), computes=False)
 OCTREE_START = part("octree_start", "tests/vkpt/octree_start_test.cpp", "src/refresh/vkpt/guiding/octree_start.cpp",
                     computes=False)
-FIRST_PATHS = part("first_paths", "tests/vkpt/first_paths_test.cpp", "src/refresh/vkpt/guiding/first_paths.cpp",
+FIRST_PATHS = part("first_paths", "tests/vkpt/first_paths_test.cpp", "src/refresh/vkpt/pathtrace/first_paths.cpp",
                    "src/refresh/vkpt/frame_params.cpp", libraries=("vigil_scene",), computes=False)
 LIGHT_SET = part("light_set", "tests/vkpt/light_set_test.cpp", libraries=("vigil_scene",), computes=False)
 SKY_WINDOWS = part("sky_windows", "tests/vkpt/sky_windows_test.cpp", SCENE + "sky_windows.cpp",
@@ -379,11 +379,11 @@ FAULTS = [
           TECHNIQUE, "*KeepsItsPromises/vlc_CutsAlone"),
     Fault("lights behind walls count as in sight", "src/refresh/vkpt/light/list_sight.cpp",
           "if (is_clear_line(bsp,", "if (all > 0.0 || is_clear_line(bsp,", LISTS, "PartInSight.IsThatOfThePlacesDraws"),
-    Fault("the first paths end where the camera looks", "src/refresh/vkpt/guiding/first_paths.cpp",
+    Fault("the first paths end where the camera looks", "src/refresh/vkpt/pathtrace/first_paths.cpp",
           "bounce <= bounces", "bounce < 1", FIRST_PATHS, "FirstPaths.GoOnFromWhatTheyMeet"),
-    Fault("the first paths go on into the wall", "src/refresh/vkpt/guiding/first_paths.cpp",
+    Fault("the first paths go on into the wall", "src/refresh/vkpt/pathtrace/first_paths.cpp",
           "shader::make_basis(normal)", "shader::make_basis(-normal)", FIRST_PATHS, "FirstPaths.GoOnFromWhatTheyMeet"),
-    Fault("the first paths take the sky for a surface", "src/refresh/vkpt/guiding/first_paths.cpp",
+    Fault("the first paths take the sky for a surface", "src/refresh/vkpt/pathtrace/first_paths.cpp",
           "flags & SURF_SKY) != 0", "flags & SURF_SKY) > SURF_SKY", FIRST_PATHS, "FirstPaths.EndInTheSky"),
     Fault("the first octree splits leaves that expect half as much", "src/refresh/vkpt/guiding/octree_start.cpp",
           "samples > needs.split", "2.0 * samples > needs.split", OCTREE_START, "OctreeStart.IsFineWhereSamplesAreExpected"),

@@ -9,8 +9,8 @@
 #include "refresh/vkpt/export/export_source.h"
 #include "refresh/vkpt/frame_params.h"
 #include "refresh/vkpt/gpu/first_dispatch.h"
-#include "refresh/vkpt/guiding/first_paths.h"
 #include "refresh/vkpt/guiding/guiding_counts.h"
+#include "refresh/vkpt/pathtrace/first_paths.h"
 #include "shared/direction_map.h"
 #include "shared/views.h"
 

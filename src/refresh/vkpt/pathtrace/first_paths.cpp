@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "refresh/vkpt/guiding/first_paths.h"
+#include "refresh/vkpt/pathtrace/first_paths.h"
 
 #include "formats/bsp_query.h"
 #include "shared/random.h"
