@@ -109,12 +109,14 @@ bool draws_beside() { return frame.settings.pt_vlc_beside != 0; }
 const float BESIDE_FACTOR = 1.5;
 /// Draws per surface where there is no cache, as lately no draw found a light.
 const float DARK_TOTAL = 0.25;
+/// Draws per surface beside a cache of which nothing else is known yet. Twice as many learn no sooner (docs/research/history.md).
+const float UNKNOWN_TOTAL = 0.5;
 
 /// Draws outside of the cache. Those made in place of others get the share a that ExploreMemory stores. Beside others, walks in a part b of the pixels
 /// bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the sums is least for
 /// b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M. As one
-/// light's second moment is that of all walks, M grows with their number, and the least share with its root. Until M is known, all draws are made.
-/// So they are in the frame in which a light appears: no cache can have it.
+/// light's second moment is that of all walks, M grows with their number, and the least share with its root. Until M is known, half of all draws
+/// are made, and all where there is no cache. All are made in the frame in which a light appears: no cache can have it.
 float explore_total(LightSearch search, uint leaf) {
     const float explore = frame.settings.pt_vlc_explore;
     const bool none = search.cache.buckets == 0u;
@@ -125,7 +127,7 @@ float explore_total(LightSearch search, uint leaf) {
     if (guiding.explores != 0u) return 1.0;
     const float known = min(memory.listed / EXPLORE_DRAWS, 1.0); // how well M is
     const float wanted = max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * memory.share / (1.0 - memory.share));
-    return max(max(explore, min(wanted, 1.0)), none ? mix(1.0, DARK_TOTAL, known) : 1.0 - known);
+    return max(max(explore, min(wanted, 1.0)), none ? mix(1.0, DARK_TOTAL, known) : UNKNOWN_TOTAL * (1.0 - known));
 }
 
 /// Shares of a surface's first draw, or of one beside it that is made with the probability `beside` > 0. Where nothing is drawn from the cache,
