@@ -109,7 +109,7 @@ bool draws_beside() { return frame.settings.pt_vlc_beside != 0; }
 const float BESIDE_FACTOR = 1.5;
 /// Draws per surface where there is no cache, as lately no draw found a light.
 const float DARK_TOTAL = 0.25;
-/// Draws per surface beside a cache of which nothing else is known yet. Twice as many learn no sooner (docs/research/history.md).
+/// Draws per surface beside a cache of which nothing else is known yet. Twice as many hardly learn sooner (docs/research/history.md).
 const float UNKNOWN_TOTAL = 0.5;
 
 /// Draws outside of the cache. Those made in place of others get the share a that ExploreMemory stores. Beside others, walks in a part b of the pixels

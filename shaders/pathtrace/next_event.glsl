@@ -101,7 +101,7 @@ float subgroup_number(uint vertex) {
 
 /// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the
 /// path's throughput. Measured: docs/research/techniques.md. Where a ray follows, `light_probability` must know the number of draws: all are
-/// made. So they are where all are wanted, as nothing is known yet.
+/// made. So they are where all are wanted: without a cache, or as a light appears.
 const float BESIDE_INDIRECT = 0.25;
 
 /// `vertex` counts the path's vertices.
