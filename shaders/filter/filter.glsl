@@ -24,14 +24,15 @@ layout(set = SET_FILTER, binding = BINDING_FILTER_STATISTICS, scalar) restrict w
 layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT, scalar) restrict writeonly buffer FilterLightBlock {
     uvec4 filter_light[];
 }; // pack_light()
+layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED, scalar) restrict writeonly buffer FilterResolvedBlock {
+    uvec2 filter_resolved[];
+}; // pack_color()
 // The same to read.
 layout(set = SET_FILTER, binding = BINDING_FILTER_SURFACE_RECORDS) uniform utextureBuffer surface_records;
 layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY_RECORDS) uniform utextureBuffer history_records;
 layout(set = SET_FILTER, binding = BINDING_FILTER_STATISTICS_RECORDS) uniform utextureBuffer statistics_records;
 layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_RECORDS) uniform utextureBuffer light_records;
-layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED, scalar) restrict buffer FilterResolvedBlock {
-    uvec2 filter_resolved[];
-}; // pack_color()
+layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED_RECORDS) uniform utextureBuffer resolved_records; // two pixels each
 
 FilterSurface load_surface(uint index) {
     const uvec4 words = texelFetch(surface_records, int(index));
@@ -46,6 +47,11 @@ FilterHistory load_history(uint index) {
 FilterStatistics load_statistics(uint index) {
     const uvec4 words = texelFetch(statistics_records, int(index));
     return FilterStatistics(words.x, words.y, words.z, words.w);
+}
+
+uvec2 load_resolved(uint index) {
+    const uvec4 two = texelFetch(resolved_records, int(index >> 1));
+    return (index & 1u) == 0u ? two.xy : two.zw;
 }
 
 uvec4 load_packed_light(uint index) { return texelFetch(light_records, int(index)); }

@@ -6,7 +6,8 @@
 #include "shared/extensions.glsl"
 #include "filter/filter.glsl"
 
-const float ALONE = 1.0; // sum of the weights around, of 12, below which a pixel has no surface in common with any other
+const uint STEPS_FOR_ALL = 3u; // later ones leave calm pixels alone
+const float ALONE = 1.0;       // sum of the weights around, of 12, below which a pixel has no surface in common with any other
 
 float kernel_weight(ivec2 step) { return (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0); }
 
@@ -50,6 +51,12 @@ Light2 light_around(ivec2 pixel, uint source, Light2 middle) {
     return Light2(sum.direct / weights.x, sum.indirect / weights.y, middle.deviation);
 }
 
+/// Standard deviations that a neighbour's brightness may be off: fewer the farther neighbours are, or shadows would be lost.
+float tolerance() { return frame.settings.flt_sigma * exp2(-max(float(filter_step) - 1.0, 0.0)); }
+
+/// Whether the noise that is left in a pixel may stay.
+bool is_calm(Light2 light) { return length(light.deviation) <= frame.settings.flt_noise * luminance(light.direct + light.indirect); }
+
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (!inside_picture(pixel)) return;
@@ -58,11 +65,11 @@ void main() {
     const uint target = frame.filter_capacity - source;
     const FilterSurface surface = load_surface(this_half() + index);
     const uvec4 packed = load_packed_light(source + index);
-    if (surface.depth == 0.0) {
+    const Light2 middle = unpack_light(packed);
+    if (surface.depth == 0.0 || filter_step >= STEPS_FOR_ALL && is_calm(middle)) {
         filter_light[target + index] = packed;
         return;
     }
-    const Light2 middle = unpack_light(packed);
     const vec4 facing = unpackSnorm4x8(surface.facing);
     const vec3 normal = facing.xyz;
     const vec2 bright = luminances(middle.direct, middle.indirect);
@@ -90,8 +97,7 @@ void main() {
         const float off_plane = abs(other.depth * (along + dot(vec2(step), along_step)) - own_distance) * per_distance;
         // The noise of both explains a difference: if one's alone did, dark pixels would refuse what bright ones give, and light be lost.
         const vec2 noise = sqrt(variance + light.deviation * light.deviation);
-        const vec2 apart =
-            abs(luminances(light.direct, light.indirect) - bright) / (frame.settings.flt_sigma * noise + 1e-4 + 1e-3 * bright);
+        const vec2 apart = abs(luminances(light.direct, light.indirect) - bright) / (tolerance() * noise + 1e-4 + 1e-3 * bright);
         const vec2 weight = kernel_weight(step) * alike(facing, unpackSnorm4x8(other.facing)) * falls_off(apart + off_plane);
         sum.direct += weight.x * light.direct;
         sum.indirect += weight.y * light.indirect;

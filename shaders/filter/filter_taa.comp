@@ -36,13 +36,13 @@ bool resolved_before(vec2 place, float factor, out vec3 value) {
                 const ivec2 at = clamp(first + ivec2(x, y), least, most);
                 if ((x == -1 || x == 2) && (y == -1 || y == 2)) continue; // corners weigh next to nothing
                 const float weight = weights[x + 1].x * weights[y + 1].y;
-                value += weight * compress(unpack_color(filter_resolved[last_index(at)]), factor);
+                value += weight * compress(unpack_color(load_resolved(last_index(at))), factor);
                 sum += weight;
             }
         value = max(value / sum, vec3(0.0));
     } else {
         const ivec2 at = clamp(ivec2(floor(place)), least, most);
-        value = compress(unpack_color(filter_resolved[last_index(at)]), factor);
+        value = compress(unpack_color(load_resolved(last_index(at))), factor);
     }
     return is_finite_nonnegative(value);
 }

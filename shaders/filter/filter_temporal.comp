@@ -7,7 +7,8 @@
 #include "filter/past.glsl"
 #include "filter/tiles.glsl"
 
-const float YOUNG = 4.0; // frames; a shorter past does not say how much light varies
+const float YOUNG = 4.0;       // frames; a shorter past does not say how much light varies
+const float OUTSTANDING = 3.0; // times as bright as samples around, as the root of their mean square
 
 vec3 dim(vec3 light, float limit) {
     const float bright = luminance(light);
@@ -94,6 +95,8 @@ void main() {
     const bvec2 young = lessThan(frames, vec2(YOUNG));
     const vec2 mean = luminances(mean_direct, mean_indirect);
     const vec2 known = max(second_moments - mean * mean, vec2(0.0));
-    const vec2 variance = mix(known, max(known, around_second_moments), young) * share;
+    // One sample far above what it is like around is off by about as much as it is bright. Of indirect light, which has no sharp edges, any may be.
+    const vec2 rare = mean * mean * step(vec2(OUTSTANDING * OUTSTANDING, 0.0) * around_second_moments, mean * mean);
+    const vec2 variance = mix(known, max(max(known, around_second_moments), rare), young) * share;
     filter_light[index] = pack_light(Light2(mean_direct, mean_indirect, sqrt(variance)));
 }

@@ -83,14 +83,17 @@ float pixel_area(vec3 offset, vec3 normal) {
     return square * sqrt(square) / max(abs(dot(offset, normal)), 1e-6);
 }
 
-/// For how many frames a past may count. What a glossy surface reflected is what it reflects now until the view has turned by a part of the lobe's width;
-/// and pixels that covered more of the surface say less about what this one covers.
+/// For how many frames a past may count. What a glossy surface reflected is what it reflects now until the view has turned by a part of the lobe's width:
+/// of a wider turn, the less the lobe brings of the light. And pixels that covered more of the surface say less about what this one covers.
 vec2 valid_frames(vec2 frames, PrimaryHit hit, Then then) {
     const vec3 now = hit.position - frame.camera_origin;
     frames *= min(pixel_area(now, hit.normal) / pixel_area(then.offset, then.facing.xyz), 1.0);
     const vec2 alpha_f0 = unpackHalf2x16(hit.gloss);
     if (alpha_f0.y == 0.0) return frames;
-    return min(frames, vec2(TURN_OF_LOBE * alpha_f0.x / max(length(normalize(now) - normalize(then.offset)), 1e-6)));
+    const vec3 view = normalize(now);
+    const float share = specular_share(Brdf(hit.albedo, alpha_f0.y, alpha_f0.x), abs(dot(view, hit.normal)));
+    const float turned = length(view - normalize(then.offset));
+    return min(frames, vec2(TURN_OF_LOBE * alpha_f0.x / max(share * turned, 1e-6)));
 }
 
 Past find_past(PrimaryHit hit, FilterSurface surface) {

@@ -80,13 +80,16 @@ SHADER_FN float diffuse_under_coat(float f0, float shading, float view_cosine) {
     return base * (1.0f - f0) * (1.0f - shading * schlick_weight(view_cosine));
 }
 
-/// Chance that `brdf_sample` draws from the GGX lobe: its share of the reflected light, but at
-/// least 0.1, so that narrow highlights are found on bright walls.
-SHADER_FN float specular_probability(Brdf brdf, float view_cosine) {
+/// The GGX lobe's part, in [0, 1], of what is reflected of even light.
+SHADER_FN float specular_share(Brdf brdf, float view_cosine) {
     float specular = brdf.f0 + (1.0f - brdf.f0) * schlick_weight(view_cosine);
     float diffuse = luminance(brdf.albedo) * (1.0f - specular);
-    return max(0.1f, specular / max(specular + diffuse, 1e-6f));
+    return specular / max(specular + diffuse, 1e-6f);
 }
+
+/// Chance that `brdf_sample` draws from the GGX lobe: its share of the reflected light, but at
+/// least 0.1, so that narrow highlights are found on bright walls.
+SHADER_FN float specular_probability(Brdf brdf, float view_cosine) { return max(0.1f, specular_share(brdf, view_cosine)); }
 
 /// GGX distribution of facet normals at the unit vector h. sin^2 from the cross product keeps its
 /// digits near the peak, where 1 - (n.h)^2 has none.

@@ -149,6 +149,7 @@ std::vector<QualityRow> picture_rows(std::string_view technique) {
           {"flt_taa", "0"},
           {"flt_history", "5"}, // a new frame counts for a fifth
           {"flt_atrous", "5"},
+          {"flt_noise", "0"},
           {"flt_sigma", "4"},
           {"flt_firefly", "0"},
           {"flt_antilag", "0"}}}};

@@ -6,10 +6,12 @@
 #include "shared/brdf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iostream>
 #include <numeric>
+#include <span>
 
 namespace vigil::test {
 namespace {
@@ -51,6 +53,14 @@ protected:
         for (size_t i = 0; i < a.size(); ++i)
             sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
         return sum / static_cast<double>(a.size());
+    }
+    /// Sum over the same of how far brightnesses are off.
+    static double distance(const Pixels& pixels, const Pixels& expected) {
+        double sum = 0.0;
+        for (size_t i = 0; i < pixels.size() / 3; ++i)
+            if (brightness(expected, i) < 2.0f)
+                sum += std::abs(brightness(pixels, i) - brightness(expected, i));
+        return sum;
     }
     /// Sum over what only reflects light: lamps are far brighter.
     static double light_of(const Pixels& pixels, const Pixels& expected) {
@@ -193,6 +203,76 @@ TEST_F(Filter, FollowsACameraThatMoves) {
     const double error = squared_difference(filtered, expected) / squared_difference(raw, expected);
     std::cout << fmt::format("squared error 1/{:.1f}\n", 1.0 / error);
     EXPECT_LT(error, 1.0 / 10.0);
+}
+
+TEST_F(Filter, SurfacesThatComeIntoViewHaveNoSpeckles) {
+    load("rooms");
+    set("flt_enable", "1");
+    set("flt_taa", "0");
+    int speckles = 0, of = 0;
+    double few_passes = 0.0, all_passes = 0.0;
+    for (int cut = 0; cut < 6; ++cut) {
+        const auto first_picture = [&](const char* passes) {
+            set("flt_atrous", passes);
+            shot_.view.angles.y += 180.0f;
+            next(20);
+            shot_.view.angles.y -= 180.0f;
+            return next();
+        };
+        shot_.view.angles.y += 60.0f;
+        const Pixels three = first_picture("3"), five = first_picture("5");
+        const Pixels expected = converged(128);
+        set("flt_enable", "1");
+        few_passes += squared_difference(three, expected);
+        all_passes += squared_difference(five, expected);
+        for (size_t y = 1; y < 47; ++y)
+            for (size_t x = 1; x < 63; ++x) {
+                std::array<float, 9> around;
+                for (size_t i = 0; i < 9; ++i)
+                    around[i] = brightness(three, 64 * (y + i / 3 - 1) + x + i % 3 - 1);
+                const float own = around[4];
+                std::ranges::nth_element(around, &around[4]);
+                const size_t pixel = 64 * y + x;
+                ++of;
+                if (own > 2.0f * around[4] && own > 2.0f * brightness(expected, pixel)) ++speckles;
+            }
+    }
+    std::cout << fmt::format("speckles {} of {}, squared error by five passes {:.2f} of three\n",
+                             speckles, of, all_passes / few_passes);
+    EXPECT_LT(speckles, of / 500);
+    EXPECT_LT(all_passes, 0.9 * few_passes);
+}
+
+TEST_F(Filter, PaintKeepsItsPastWhileTheCameraMoves) {
+    const auto write_materials = [](std::string_view text) {
+        write_game_file("materials.json",
+                        std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
+    };
+    write_materials(R"({"test/white50": {"roughness": 0.3, "specular": 0.04},
+                        "test/grey20": {"roughness": 0.3, "specular": 0.04}})");
+    load("rooms");
+    write_materials("{}");
+    ASSERT_TRUE(renderer().scene()->features().gloss);
+    set("flt_enable", "1");
+    set("flt_taa", "0");
+    set("flt_atrous", "0"); // the past alone
+    double error = 0.0, raw_error = 0.0;
+    for (int place = 0; place < 4; ++place) {
+        for (int frame = 0; frame < 12; ++frame) {
+            const float step = place % 2 == 0 ? -3.0f : 3.0f; // to the side
+            shot_.view.origin += step * glm::vec3(0.82f, -0.57f, 0.0f);
+            renderer().render(shot_.frame());
+        }
+        const Pixels filtered = next();
+        set("flt_enable", "0");
+        const Pixels raw = next();
+        const Pixels expected = converged(256);
+        set("flt_enable", "1");
+        error += distance(filtered, expected);
+        raw_error += distance(raw, expected);
+    }
+    std::cout << fmt::format("error 1/{:.1f}\n", raw_error / error);
+    EXPECT_LT(error, raw_error / 2.5);
 }
 
 TEST_F(Filter, ForgetsALampThatIsGone) {

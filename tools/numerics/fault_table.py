@@ -452,6 +452,15 @@ FAULTS = [
           "same_place(before, now) ? difference / greatest : 1.0f", "same_place(before, now) ? 0.0f : 1.0f", FILTER,
           "Filter.ForgetsALampThatIsGone"),
 
+    Fault("the filter trusts single bright samples of surfaces that have just come into view", "shaders/filter/filter_temporal.comp",
+          "max(max(known, around_second_moments), rare)", "max(known, around_second_moments)", FILTER,
+          "Filter.SurfacesThatComeIntoViewHaveNoSpeckles"),
+    Fault("passes beyond the third leave all pixels alone", "shaders/filter/filter_atrous.comp",
+          "filter_step >= STEPS_FOR_ALL && is_calm(middle)", "filter_step >= STEPS_FOR_ALL", FILTER,
+          "Filter.SurfacesThatComeIntoViewHaveNoSpeckles"),
+    Fault("paint forgets as fast as a mirror while the camera moves", "shaders/filter/past.glsl",
+          "max(share * turned, 1e-6)", "max(turned, 1e-6)", FILTER, "Filter.PaintKeepsItsPastWhileTheCameraMoves"),
+
     # Sky and sun as lights.
     Fault("the sun sends 3% too much by light samples", "src/refresh/vkpt/scene/sun.cpp",
           "return irradiance * (2.0f / (1.0f + std::cos(half_angle)));",

@@ -36,7 +36,7 @@ std::vector<gpu::BindingKind> binding_kinds() {
     std::vector<gpu::BindingKind> kinds(FILTER_BINDING_COUNT, gpu::BindingKind::Storage);
     for (const uint32_t records : {BINDING_FILTER_SURFACE_RECORDS, BINDING_FILTER_HISTORY_RECORDS,
                                    BINDING_FILTER_STATISTICS_RECORDS, BINDING_FILTER_LIGHT_RECORDS,
-                                   BINDING_FILTER_TILE_RECORDS})
+                                   BINDING_FILTER_TILE_RECORDS, BINDING_FILTER_RESOLVED_RECORDS})
         kinds[records] = gpu::BindingKind::Records;
     return kinds;
 }
@@ -118,6 +118,7 @@ bool Filter::follow(const refresh::Settings& settings) {
         set_.bind(BINDING_FILTER_STATISTICS_RECORDS, kept_.statistics);
         set_.bind(BINDING_FILTER_LIGHT_RECORDS, kept_.light);
         set_.bind(BINDING_FILTER_TILE_RECORDS, kept_.tiles);
+        set_.bind(BINDING_FILTER_RESOLVED_RECORDS, kept_.resolved);
         size_ = buffers_.most_traced();
         on_ = true;
     } catch (const Error& error) {
