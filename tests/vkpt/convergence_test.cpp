@@ -279,14 +279,8 @@ TEST_F(TurningSun, GuidedRaysOfAllTechniques) {
 TEST_F(Convergence, GlossyWalls) {
     // Walls, floor and ceiling of the middle room shine; the importance of lights has a second lobe
     // there.
-    const auto write_materials = [](std::string_view text) {
-        write_game_file("materials.json",
-                        std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
-    };
-    write_materials(R"({"test/white50": {"roughness": 0.35, "specular": 0.3},
+    load_with_materials("rooms", R"({"test/white50": {"roughness": 0.35, "specular": 0.3},
                         "test/grey20": {"roughness": 0.6, "specular": 0.08}})");
-    load("rooms");
-    write_materials("{}");
     const Shot shot = view_at({290, 20, 96}, 5, 55);
     expect_equal_means(shot, {});
     EXPECT_TRUE(renderer().scene()->features().gloss);

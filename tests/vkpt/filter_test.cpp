@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <numeric>
-#include <span>
 
 namespace vigil::test {
 namespace {
@@ -244,14 +243,8 @@ TEST_F(Filter, SurfacesThatComeIntoViewHaveNoSpeckles) {
 }
 
 TEST_F(Filter, PaintKeepsItsPastWhileTheCameraMoves) {
-    const auto write_materials = [](std::string_view text) {
-        write_game_file("materials.json",
-                        std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
-    };
-    write_materials(R"({"test/white50": {"roughness": 0.3, "specular": 0.04},
+    load_with_materials("rooms", R"({"test/white50": {"roughness": 0.3, "specular": 0.04},
                         "test/grey20": {"roughness": 0.3, "specular": 0.04}})");
-    load("rooms");
-    write_materials("{}");
     ASSERT_TRUE(renderer().scene()->features().gloss);
     set("flt_enable", "1");
     set("flt_taa", "0");

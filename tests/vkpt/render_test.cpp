@@ -122,6 +122,16 @@ void RenderTest::load(std::string_view name, const Edit& edit) {
     renderer().load_level(level_, cvars().values());
 }
 
+void RenderTest::load_with_materials(std::string_view name, std::string_view text) {
+    const auto write = [](std::string_view materials) {
+        write_game_file("materials.json",
+                        {reinterpret_cast<const uint8_t*>(materials.data()), materials.size()});
+    };
+    write(text);
+    load(name);
+    write("{}");
+}
+
 refresh::RadiancePicture RenderTest::radiance(const Shot& shot) {
     renderer().render(shot.frame());
     return renderer().read_radiance();

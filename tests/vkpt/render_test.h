@@ -50,6 +50,8 @@ protected:
 
     /// Loads maps/NAME of tests/data, changed by `edit` before the renderer sees it.
     void load(std::string_view name, const Edit& edit = {});
+    /// The same where materials.json has this text.
+    void load_with_materials(std::string_view name, std::string_view text);
     const Level& level() const { return *level_; }
 
     /// One frame's radiance.
