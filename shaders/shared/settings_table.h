@@ -163,7 +163,7 @@
     GPU_REAL(flt_noise, Session, Picture, 0.1, 0.0, 1e6, \
         "Denoiser: Noise, in parts of a pixel's brightness, that the first three passes may leave. The rest work where more is left.") \
     GPU_REAL(flt_sigma, Session, Picture, 4.0, 0.0, 1000.0, \
-        "Denoiser: A neighbour whose brightness differs by this many standard deviations counts 1/e as much. From the third pass on, half as many each.") \
+        "Denoiser: A neighbour whose brightness differs by this many standard deviations counts 1/e as much. Each pass from the third on halves the number.") \
     GPU_REAL(flt_firefly, Session, Picture, 8.0, 0.0, 1e6, \
         "Denoiser: Highest brightness of a sample, in standard deviations above what was seen there before. 0: any.") \
     INTEGER(flt_antilag, Session, Picture, 1, 0, 1, \
