@@ -51,7 +51,7 @@ Light2 light_around(ivec2 pixel, uint source, Light2 middle) {
     return Light2(sum.direct / weights.x, sum.indirect / weights.y, middle.deviation);
 }
 
-/// Standard deviations that a neighbour's brightness may be off: fewer the farther neighbours are, or shadows would be lost.
+/// Standard deviations that a neighbour's brightness may be off: flt_sigma in the first two steps, then half of the step before, or shadows would be lost.
 float tolerance() { return frame.settings.flt_sigma * exp2(-max(float(filter_step) - 1.0, 0.0)); }
 
 /// Whether the noise that is left in a pixel may stay.

@@ -95,7 +95,7 @@ void main() {
     const bvec2 young = lessThan(frames, vec2(YOUNG));
     const vec2 mean = luminances(mean_direct, mean_indirect);
     const vec2 known = max(second_moments - mean * mean, vec2(0.0));
-    // One sample far above what it is like around is off by about as much as it is bright. Of indirect light, which has no sharp edges, any may be.
+    // A sample that is far brighter than those around may be off by as much as it is bright. So may any of indirect light, which has no sharp edges.
     const vec2 rare = mean * mean * step(vec2(OUTSTANDING * OUTSTANDING, 0.0) * around_second_moments, mean * mean);
     const vec2 variance = mix(known, max(max(known, around_second_moments), rare), young) * share;
     filter_light[index] = pack_light(Light2(mean_direct, mean_indirect, sqrt(variance)));

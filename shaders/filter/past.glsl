@@ -83,8 +83,8 @@ float pixel_area(vec3 offset, vec3 normal) {
     return square * sqrt(square) / max(abs(dot(offset, normal)), 1e-6);
 }
 
-/// For how many frames a past may count. What a glossy surface reflected is what it reflects now until the view has turned by a part of the lobe's width:
-/// of a wider turn, the less the lobe brings of the light. And pixels that covered more of the surface say less about what this one covers.
+/// For how many frames a past may count. What a glossy surface reflected is what it reflects now until the view has turned by a part of the lobe's width.
+/// Where the lobe brings little of the light, the view may turn farther. Pixels that covered more of the surface say less about what this one covers.
 vec2 valid_frames(vec2 frames, PrimaryHit hit, Then then) {
     const vec3 now = hit.position - frame.camera_origin;
     frames *= min(pixel_area(now, hit.normal) / pixel_area(then.offset, then.facing.xyz), 1.0);

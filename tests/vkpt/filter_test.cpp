@@ -53,19 +53,19 @@ protected:
             sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
         return sum / static_cast<double>(a.size());
     }
+    /// Sum over what only reflects light: lamps are far brighter.
+    static double light_of(const Pixels& pixels, const Pixels& expected) {
+        double sum = 0.0;
+        for (size_t i = 0; i < pixels.size() / 3; ++i)
+            if (brightness(expected, i) < 2.0f) sum += static_cast<double>(brightness(pixels, i));
+        return sum;
+    }
     /// Sum over the same of how far brightnesses are off.
     static double distance(const Pixels& pixels, const Pixels& expected) {
         double sum = 0.0;
         for (size_t i = 0; i < pixels.size() / 3; ++i)
             if (brightness(expected, i) < 2.0f)
                 sum += std::abs(brightness(pixels, i) - brightness(expected, i));
-        return sum;
-    }
-    /// Sum over what only reflects light: lamps are far brighter.
-    static double light_of(const Pixels& pixels, const Pixels& expected) {
-        double sum = 0.0;
-        for (size_t i = 0; i < pixels.size() / 3; ++i)
-            if (brightness(expected, i) < 2.0f) sum += static_cast<double>(brightness(pixels, i));
         return sum;
     }
     /// Mean over the pixels of the variance of their brightness over `frames` frames.

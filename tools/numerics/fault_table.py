@@ -451,7 +451,6 @@ FAULTS = [
     Fault("the filter knows lamps that move alone, none that go", "src/refresh/vkpt/light/light_changes.cpp",
           "same_place(before, now) ? difference / greatest : 1.0f", "same_place(before, now) ? 0.0f : 1.0f", FILTER,
           "Filter.ForgetsALampThatIsGone"),
-
     Fault("the filter trusts single bright samples of surfaces that have just come into view", "shaders/filter/filter_temporal.comp",
           "max(max(known, around_second_moments), rare)", "max(known, around_second_moments)", FILTER,
           "Filter.SurfacesThatComeIntoViewHaveNoSpeckles"),
