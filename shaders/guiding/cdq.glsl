@@ -14,7 +14,7 @@ struct Guide {
 
 Guide guide_prepare(uvec4 words) { return Guide(words); }
 
-vec3 guide_sample(Guide guide, vec3 u) { return cdq_sample(guide.tree, GUIDER_SIZE, u); }
+vec3 guide_sample(Guide guide, vec3 u, out float pdf) { return cdq_sample(guide.tree, GUIDER_SIZE, u, pdf); }
 
 float guide_pdf(Guide guide, vec3 direction) { return cdq_pdf(guide.tree, GUIDER_SIZE, direction); }
 

@@ -28,19 +28,21 @@ Guide guide_prepare(uvec4 words) {
     return guide;
 }
 
-vec3 guide_sample(Guide guide, vec3 u) {
+float guide_pdf(Guide guide, vec3 direction) {
+    // |m + w| / 2 is the root of t: close to -m it keeps its digits, and 1 + m.w does not.
+    const vec3 half_sum = 0.5 * (guide.mean + direction);
+    return (guide.power + 1.0) / (4.0 * PI) * pow(min(dot(half_sum, half_sum), 1.0), guide.power);
+}
+
+vec3 guide_sample(Guide guide, vec3 u, out float pdf) {
     // t = (1 + m.w) / 2 has the distribution function t^(n + 1).
     const float t = pow(u.x, 1.0 / (guide.power + 1.0));
     const float cosine = 2.0 * t - 1.0;
     const float sine = 2.0 * sqrt(max(t * (1.0 - t), 0.0));
     const float angle = 2.0 * PI * u.y;
-    return normalize(to_world(make_basis(guide.mean), vec3(sine * cos(angle), sine * sin(angle), cosine)));
-}
-
-float guide_pdf(Guide guide, vec3 direction) {
-    // |m + w| / 2 is the root of t: close to -m it keeps its digits, and 1 + m.w does not.
-    const vec3 half_sum = 0.5 * (guide.mean + direction);
-    return (guide.power + 1.0) / (4.0 * PI) * pow(min(dot(half_sum, half_sum), 1.0), guide.power);
+    const vec3 direction = normalize(to_world(make_basis(guide.mean), vec3(sine * cos(angle), sine * sin(angle), cosine)));
+    pdf = guide_pdf(guide, direction);
+    return direction;
 }
 
 bool guide_border(Guide guide, vec2 uv, float edge) { return false; }

@@ -13,7 +13,9 @@ void learn_direction(Guided guided, float brought) {
     if (GUIDES == 0 || path_index != 0u) return;
     // Brighter than a sample can say is as bright as it can.
     const float estimate = min(finite_or_zero(brought), 1e15);
-    const float contribution = guided.pdf > 0.0 ? finite_or_zero(estimate * sqrt(guided.pdf)) : 0.0;
+    // Where BRDF and cosine are weighed anyway, the guider learns where light comes from; else both are a part of it.
+    const float sought = frame.settings.pt_guide_directions > 1 && guided.reflects > 0.0 ? estimate / guided.reflects : estimate;
+    const float contribution = guided.pdf > 0.0 ? finite_or_zero(sought * sqrt(guided.pdf)) : 0.0;
     if (contribution > 0.0)
         store_ray_sample(guided.leaf, uvec2(ray_sample_pack(guided.grid, contribution), pack_sums(estimate * estimate, guided.part)));
     else count_blank_ray(guided.leaf);

@@ -25,6 +25,7 @@ struct Guided {
     float pdf;      // per steradian
     float brdf_pdf; // the same if the BRDF had drawn it
     float part;     // of the density that is the guider's
+    float reflects; // luminance of BRDF times cosine
 };
 
 /// Radiance that a ray from `surface` collects from what it runs into, without what next event estimation covers.
@@ -48,35 +49,64 @@ vec3 collect(Surface surface, Ray ray, Hit hit, Vertex vertex, float brdf_pdf) {
     return sum;
 }
 
-/// Draws a direction by the BRDF, or, in a part of the draws, by the guider of the surface's leaf (paper, section 5.2). Its
-/// density is that of the mixture.
-vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
-    const vec3 u = random_next3(random);
 #if GUIDES == 0
-    const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, u);
+/// Draws a direction by the BRDF.
+vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
+    const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, random_next3(random));
     seen = drawn.seen;
     guided.brdf_pdf = seen.pdf;
     return drawn.direction;
+}
 #else
+/// Draws directions by the BRDF and, in a part of the draws, by the guider of the surface's node (paper, section 5.2). Of several, one is
+/// kept in proportion to what it is expected to bring (resampled importance sampling, Talbot et al. 2005): BRDF times cosine, times the guider's
+/// density, mixed with an even one by the same part. `seen.pdf` is then an estimate, and its inverse is unbiased.
+vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     const uint node = octree_node_of(found.cache);
     const Guide guide = guide_prepare(load_guide(node));
     const float share = share_of(load_share(node), 1.0 - frame.settings.pt_cdq_brdf);
-    vec3 direction;
-    if (random_next(random) < share) direction = guide_sample(guide, u);
-    else direction = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
-    seen = brdf_evaluate(surface.brdf, surface.normal, surface.view, direction);
-    guided.brdf_pdf = seen.pdf;
-    const float density = guide_pdf(guide, direction);
-    seen.pdf = guide_mixture_pdf(density, seen.pdf, 1.0 - share);
-    guided.part = seen.pdf > 0.0 ? min(share * density / seen.pdf, 1.0) : 0.0;
+    const int count = frame.settings.pt_guide_directions;
+    const float choice = random_next(random);
+    vec3 direction = surface.normal;
+    seen = BrdfValue(vec3(0.0), 0.0);
+    guided.brdf_pdf = 0.0;
+    guided.part = 0.0;
+    guided.reflects = 0.0;
+    float sum = 0.0, kept = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const vec3 u = random_next3(random);
+        vec3 candidate;
+        float density;
+        if (fract(choice + float(i) / float(count)) < share) {
+            candidate = guide_sample(guide, u, density);
+        } else {
+            candidate = brdf_sample(surface.brdf, surface.normal, surface.view, u).direction;
+            density = guide_pdf(guide, candidate);
+        }
+        const BrdfValue value = brdf_evaluate(surface.brdf, surface.normal, surface.view, candidate);
+        const float mixture = guide_mixture_pdf(density, value.pdf, 1.0 - share);
+        const float reflects = luminance(value.value);
+        const float expected = reflects * guide_mixture_pdf(density, 1.0 / (4.0 * PI), 1.0 - share);
+        const float weight = mixture > 0.0 ? expected / mixture : 0.0;
+        if (!(weight > 0.0)) continue;
+        sum += weight;
+        if (sum > weight && random_next(random) * sum >= weight) continue;
+        direction = candidate;
+        seen = value;
+        kept = expected;
+        guided.brdf_pdf = value.pdf;
+        guided.part = min(share * density / mixture, 1.0);
+        guided.reflects = reflects;
+    }
+    seen.pdf = sum > 0.0 ? float(count) * kept / sum : 0.0;
     guided.leaf = found.samples;
     guided.grid = ray_sample_cell(direction);
     guided.pdf = seen.pdf;
     if (STORES_LIGHT_SAMPLES == 0 && path_index == 0u) count_surface(found.samples);
     return direction;
-#endif
 }
+#endif
 
 /// Sends a ray from `surface`. Returns false if the path ends there; `weight` is what the ray's radiance is multiplied with.
 bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray, out Guided guided) {

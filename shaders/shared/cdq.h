@@ -143,17 +143,23 @@ SHADER_FN float cdq_pdf(uvec4 tree, uint bits, vec3 direction) {
 
 /// Draws a unit vector; `u` in [0, 1)^3 takes the leaf, then the point in it. The direction lies in
 /// the leaf that cdq_find sees it in: one that rounding would carry over the border is drawn back
-/// towards the centre.
-SHADER_FN vec3 cdq_sample(uvec4 tree, uint bits, vec3 u) {
+/// towards the centre. `pdf` is its cdq_pdf, without a search.
+SHADER_FN vec3 cdq_sample(uvec4 tree, uint bits, vec3 u, OUT(float) pdf) {
     const uint leaves = cdq_leaf_count(bits);
     const uint node = cdq_leaf(tree, bits, min(uint(u.x * float(leaves)), leaves - 1u));
     const CdqCell cell = cdq_cell(tree, node);
     const vec2 uv = cell.corner + cell.size * vec2(u.y, u.z);
-    const vec3 direction = octahedral_decode(uv);
+    vec3 direction = octahedral_decode(uv);
     const vec2 seen = octahedral_encode(direction);
-    if (seen.x >= cell.corner.x && seen.y >= cell.corner.y && seen.x < cell.corner.x + cell.size && seen.y < cell.corner.y + cell.size)
-        return direction;
-    return octahedral_decode(cell.corner + cell.size * (0.5f + 0.99f * (vec2(u.y, u.z) - 0.5f)));
+    if (seen.x < cell.corner.x || seen.y < cell.corner.y || seen.x >= cell.corner.x + cell.size || seen.y >= cell.corner.y + cell.size)
+        direction = octahedral_decode(cell.corner + cell.size * (0.5f + 0.99f * (vec2(u.y, u.z) - 0.5f)));
+    pdf = cdq_leaf_pdf(bits, cell.depth, direction);
+    return direction;
+}
+
+SHADER_FN vec3 cdq_sample(uvec4 tree, uint bits, vec3 u) {
+    float pdf;
+    return cdq_sample(tree, bits, u, pdf);
 }
 
 SHADER_END

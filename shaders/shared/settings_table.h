@@ -129,6 +129,8 @@
         "cdq: Size of a quadtree in bits. The sizes have 25, 49, 73 and 97 leaves.") \
     GPU_REAL(pt_cdq_brdf, Session, Reference, 0.5, 0.0, 1.0, \
         "Guided rays: Share that the surface's BRDF draws all the same. 0: none.") \
+    GPU_INTEGER(pt_guide_directions, Archived, Reference, 2, 1, 16, \
+        "Guided rays: Directions weighed by the BRDF and what is known. One of them gets the ray. 1: as in the paper.") \
     INTEGER(pt_cdq_adapt, Archived, Reference, 1, 0, 1, \
         "Guided rays: 1: Each node of the octree learns that share from what its rays brought, and begins with pt_cdq_brdf. 0: It is pt_cdq_brdf everywhere.") \
     REAL(pt_cdq_margin, Archived, Reference, 0.25, 0.0, 1.0, \

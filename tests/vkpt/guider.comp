@@ -19,8 +19,9 @@ void main() {
     const vec4 given = arguments[index];
     const Guide guide = guide_prepare(load_guide(octree_node_of(uint(given.w))));
     if (path_index == 0u) {
-        const vec3 direction = guide_sample(guide, given.xyz);
-        results[index] = vec4(direction, guide_pdf(guide, direction));
+        float pdf;
+        const vec3 direction = guide_sample(guide, given.xyz, pdf);
+        results[index] = vec4(direction, pdf);
     } else {
         results[index] = vec4(guide_pdf(guide, given.xyz));
     }

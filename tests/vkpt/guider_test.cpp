@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <set>
+#include <utility>
 
 namespace vigil::test {
 namespace {
@@ -57,11 +58,17 @@ protected:
             evenly.emplace_back(shader::sample_sphere({v.x, v.y}), static_cast<float>(leaf));
         }
         std::array<double, edge * edge> drawn{}, density{}, squares{};
-        for (const glm::vec4& draw : ask(0, u)) {
+        std::vector<glm::vec4> there = ask(0, u);
+        std::vector<float> said;
+        for (glm::vec4& draw : there) {
             ASSERT_NEAR(glm::length(glm::vec3(draw)), 1.0f, 1e-5f);
             ASSERT_TRUE(std::isfinite(draw.w) && draw.w > 0.0f) << draw.w;
             drawn[cell_of(glm::vec3(draw))] += 1.0 / draws;
+            said.push_back(std::exchange(draw.w, static_cast<float>(leaf)));
         }
+        const std::vector<glm::vec4> told_there = ask(1, there);
+        for (uint32_t i = 0; i < draws; ++i)
+            ASSERT_NEAR(said[i], told_there[i].x, 1e-5f * said[i]);
         const std::vector<glm::vec4> told = ask(1, evenly);
         for (uint32_t i = 0; i < draws; ++i) {
             ASSERT_TRUE(std::isfinite(told[i].x) && told[i].x >= 0.0f) << told[i].x;

@@ -422,8 +422,8 @@ FAULTS = [
           "end.brought += direct.radiance;", "end.brought += 0.96 * direct.radiance;",
           ANALYTIC, "Analytic.WhiteFurnaceWhereRaysEnd"),
     Fault("mixture of rays: the BRDF's part counts 4% too unlikely", "shaders/pathtrace/indirect_ray.glsl",
-          "guide_mixture_pdf(density, seen.pdf, 1.0 - share)",
-          "guide_mixture_pdf(density, seen.pdf, 0.96 * (1.0 - share))",
+          "guide_mixture_pdf(density, value.pdf, 1.0 - share)",
+          "guide_mixture_pdf(density, value.pdf, 0.96 * (1.0 - share))",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
     Fault("guiders: what rays of the BRDF estimated counts 5% too little", "shaders/guiding/guide_adapt.comp",
           "vec2(1.0 - part, part);", "vec2(0.95 * (1.0 - part), part);",
@@ -436,7 +436,10 @@ FAULTS = [
           "return (guide.power + 1.0) / (4.0 * PI)", "return 1.04 * (guide.power + 1.0) / (4.0 * PI)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
     Fault("mixture of rays: 4% too many by the guider", "shaders/pathtrace/indirect_ray.glsl",
-          "if (random_next(random) < share)", "if (random_next(random) < 1.04 * share)",
+          "float(count)) < share)", "float(count)) < 1.04 * share)",
+          ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
+    Fault("guided rays: their density is 4% too large", "shaders/pathtrace/indirect_ray.glsl",
+          "float(count) * kept / sum : 0.0;", "1.04 * float(count) * kept / sum : 0.0;",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
 
     # The filter.

@@ -57,6 +57,8 @@ constexpr double samples_per_light = 0.75;
 /// While the picture changes, of a leaf's samples as many count. Large pictures have more, and
 /// their caches gain as much by learning from each frame.
 constexpr uint64_t samples_per_leaf = 32;
+/// Guiders learn from every frame until so many times the rays that they follow have taught them.
+constexpr uint64_t guide_memories = 4;
 /// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
 /// turn before: what has none lies on surfaces that are new to see, of which little is learned.
 constexpr uint64_t samples_per_unexpected = 100;
@@ -362,6 +364,7 @@ bool Guiding::make_room(gpu::FrameCommands& commands, const Needs& needs) {
 bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
     if (!counted_.at(slot)) return false;
     const shader::GuidingWork work = statistics(slot);
+    guide_rays_ += work.samples;
     turn_ = turn_for(work);
     const Needs needs = needs_of(work);
     worst_.nodes = std::max(worst_.nodes, needs.nodes);
@@ -372,7 +375,6 @@ bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
 }
 
 uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
-    const uint64_t rays_needed = uint64_t{options_.settings.memory_rays} * work.nodes;
     uint64_t turn = options_.learn_every;
     if (options_.lights && work.cached_lights > 0) {
         const uint64_t counted = uint64_t{samples_per_leaf} * work.sampled_leaves;
@@ -381,13 +383,13 @@ uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
         turn = std::min(turn,
                         static_cast<uint64_t>(samples / (samples_per_light * work.cached_lights)));
     }
-    if (options_.guide.guides())
-        turn = std::min(turn, rays_needed > 0 ? work.rays / rays_needed : 1);
+    if (options_.guide.guides() &&
+        guide_rays_ < guide_memories * options_.settings.memory_rays * uint64_t{work.nodes})
+        turn = 1;
     // As much is new in each frame of a turn.
-    const uint64_t unexpected = uint64_t{work.dropped} + work.rays_dropped;
-    if (unexpected > 0)
-        turn = std::min(turn, turn_ * (uint64_t{work.samples} + work.rays) /
-                                  (samples_per_unexpected * unexpected));
+    const uint64_t unexpected = options_.lights ? work.dropped : work.rays_dropped;
+    const uint64_t all = options_.lights ? work.samples : work.rays;
+    if (unexpected > 0) turn = std::min(turn, turn_ * all / (samples_per_unexpected * unexpected));
     return std::bit_floor(static_cast<uint32_t>(std::max<uint64_t>(turn, 1)));
 }
 
@@ -402,6 +404,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
                      std::span<const glm::vec3> places) {
     still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
     frames_ = change >= Change::Lights || restart_ ? 0 : frames_ + 1;
+    if (frames_ == 0) guide_rays_ = 0;
     const uint32_t stores = teaches() ? 1 : 0, explores = change == Change::NewLights ? 1 : 0;
     const uint32_t stored = std::exchange(header_.stores, stores);
     const uint32_t explored = std::exchange(header_.explores, explores);

@@ -136,6 +136,7 @@ private:
     bool restart_ = true;
     uint32_t still_frames_ = 0; // since something changed, or the octree began
     uint32_t frames_ = 0;       // since Change::Lights, or the octree began
+    uint64_t guide_rays_ = 0;   // that were to teach guiders since then
     uint32_t turn_ = 1;         // of so many frames one teaches
     uint32_t learned_ = 0;      // frames learned from
 };
