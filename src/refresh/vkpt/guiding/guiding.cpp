@@ -58,7 +58,7 @@ constexpr double samples_per_light = 0.75;
 /// their caches gain as much by learning from each frame.
 constexpr uint64_t samples_per_leaf = 32;
 /// Guiders learn from every frame until so many times the rays that they follow have taught them.
-constexpr uint64_t guide_memories = 4;
+constexpr uint64_t guide_memories = 16;
 /// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
 /// turn before: what has none lies on surfaces that are new to see, of which little is learned.
 constexpr uint64_t samples_per_unexpected = 100;
