@@ -3,12 +3,14 @@
 
 #include "bench/reference.h"
 #include "common/binary_file.h"
+#include "common/error.h"
 #include "common/output.h"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <span>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,19 @@ std::uint64_t program_hash() {
     return hash_bytes(std::as_bytes(std::span(bytes)));
 }
 
+/// The member, or null.
+ordered_json member(const ordered_json& object, const std::string& name) {
+    const auto found = object.find(name);
+    return found != object.end() ? *found : ordered_json();
+}
+
+/// Whether both heads have the same members, but for what is planned.
+bool same_measurement(const ordered_json& head, const ordered_json& before) {
+    for (const auto& [name, value] : head.items())
+        if (name != "planned" && value != member(before, name)) return false;
+    return true;
+}
+
 } // namespace
 
 ordered_json read_report(const std::filesystem::path& path) {
@@ -35,17 +50,25 @@ ordered_json read_report(const std::filesystem::path& path) {
 
 Checkpoint::Checkpoint(std::filesystem::path path, ordered_json head, bool keep)
     : path_(std::move(path)), report_(std::move(head)) {
-    const std::string text = report_.dump();
-    report_["key"] =
-        fmt::format("{:016x}", hash_bytes(std::as_bytes(std::span(text)), program_hash()));
+    report_["program"] = fmt::format("{:016x}", program_hash());
+    const ordered_json about = report_;
+    const std::string text = about.dump();
+    report_["key"] = fmt::format("{:016x}", hash_bytes(std::as_bytes(std::span(text))));
     report_["finished"] = false;
-    report_["parts"] = ordered_json::array();
+    ordered_json& parts = report_["parts"] = ordered_json::array();
     if (!std::filesystem::is_regular_file(path_)) return;
     const ordered_json before = read_report(path_);
-    const auto key = report_["key"].get<std::string>();
-    if (!before.is_object() || before.value("key", std::string()) != key) return;
-    if (before.value("finished", true) && !keep) return;
-    if (before.contains("parts") && before["parts"].is_array()) report_["parts"] = before["parts"];
+    const ordered_json known = before.is_object() ? member(before, "parts") : ordered_json();
+    if (!known.is_array()) return;
+    if (same_measurement(about, before) && (keep || !before.value("finished", true))) {
+        const ordered_json planned = member(about, "planned"), was = member(before, "planned");
+        for (const ordered_json& part : known) {
+            const auto name = part.value("part", std::string());
+            if (planned.is_null() || (planned.contains(name) && planned[name] == member(was, name)))
+                parts.push_back(part);
+        }
+    }
+    keeps_before_ = parts.size() < known.size();
 }
 
 const ordered_json* Checkpoint::find(const std::string& part) const {
@@ -66,7 +89,18 @@ void Checkpoint::finish() {
     save();
 }
 
-void Checkpoint::save() const {
+std::filesystem::path Checkpoint::before_path() const {
+    return std::filesystem::path(path_).replace_extension(".before.json");
+}
+
+void Checkpoint::save() {
+    if (std::exchange(keeps_before_, false)) {
+        std::error_code failed;
+        std::filesystem::rename(path_, before_path(), failed);
+        if (failed) fail("{}: {}", before_path().string(), failed.message());
+        fmt::print("{}: has parts that this measurement has not; it is now {}\n", path_.string(),
+                   before_path().string());
+    }
     write_file(path_, report_.dump(1) + "\n");
 }
 

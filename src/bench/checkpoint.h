@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A report that grows part by part and survives an interruption: it is written after every part,
-// and the same measurement, begun again, goes on with the parts that are there. What "the same" is
-// a key tells; the program that measured belongs to it.
+// and the same measurement, begun again, goes on with the parts that are there. The same program
+// must have measured them, with the same settings; other parts may be planned (--level).
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,10 @@ nlohmann::ordered_json read_report(const std::filesystem::path& path);
 
 class Checkpoint {
 public:
-    /// `head` is what stands above the parts; it and the program itself are the key. Parts of an
-    /// unfinished report at `path` with this key are taken over; with `keep`, those of a finished
-    /// one too. Any other file there is replaced by the first save().
+    /// `head` is what stands above the parts; `planned` in it has what tells each part from others.
+    /// Parts of an unfinished report at `path` are taken over where they and the rest of the head
+    /// are the same; with `keep`, those of a finished one too. The first add() or finish()
+    /// replaces the file. If it has other parts, it is then renamed (before_path()).
     Checkpoint(std::filesystem::path path, nlohmann::ordered_json head, bool keep);
 
     /// The part with this `part` member, or null.
@@ -30,11 +31,15 @@ public:
 
     const nlohmann::ordered_json& report() const { return report_; }
 
+    /// Where a report stays whose parts this one does not have: NAME.before.json.
+    std::filesystem::path before_path() const;
+
 private:
-    void save() const;
+    void save();
 
     std::filesystem::path path_;
     nlohmann::ordered_json report_;
+    bool keeps_before_ = false;
 };
 
 } // namespace vigil::bench

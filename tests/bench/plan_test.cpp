@@ -378,6 +378,40 @@ TEST(Checkpoint, GoesOnWithWhatAnInterruptionLeft) {
     EXPECT_EQ(Checkpoint(path, head, true).find("a"), nullptr);
 }
 
+TEST(Checkpoint, TakesOverThePartsOfAnotherPlan) {
+    const test::ScratchFolder folder;
+    const std::filesystem::path path = folder.path() / "report.json";
+    using nlohmann::ordered_json;
+    const auto head = [](const ordered_json& planned) {
+        return ordered_json{{"measured", "x"}, {"seeds", 3}, {"planned", planned}};
+    };
+    {
+        Checkpoint both(path, head({{"a", {{"views", 4}}}, {"b", {{"views", 4}}}}), false);
+        both.add("a", {{"value", 1}});
+        both.add("b", {{"value", 2}});
+    }
+    {
+        // One of its parts, another one measured otherwise, and a new one.
+        const ordered_json planned = {
+            {"a", {{"views", 4}}}, {"b", {{"views", 2}}}, {"c", {{"views", 4}}}};
+        Checkpoint other(path, head(planned), false);
+        ASSERT_NE(other.find("a"), nullptr);
+        EXPECT_EQ((*other.find("a"))["value"], 1);
+        EXPECT_EQ(other.find("b"), nullptr);
+        // Nothing is lost, and nothing moves before there is something new.
+        EXPECT_FALSE(std::filesystem::exists(other.before_path()));
+        other.add("c", {{"value", 3}});
+        EXPECT_EQ(read_report(other.before_path())["parts"].size(), 2u);
+        other.finish();
+        EXPECT_EQ(read_report(other.before_path())["parts"].size(), 2u);
+    }
+    // All parts are there: the older report stays where it is.
+    Checkpoint same(path, head({{"a", {{"views", 4}}}, {"c", {{"views", 4}}}}), true);
+    same.finish();
+    EXPECT_EQ(read_report(same.before_path())["parts"].size(), 2u);
+    EXPECT_EQ(read_report(path)["parts"].size(), 2u);
+}
+
 TEST(PlanCsv, HasALineForEveryMeasureAndFrame) {
     const nlohmann::ordered_json report = {
         {"parts",
