@@ -33,10 +33,15 @@ ordered_json member(const ordered_json& object, const std::string& name) {
     return found != object.end() ? *found : ordered_json();
 }
 
+/// Whether both are the same, in whatever order their members stand.
+bool same(const ordered_json& a, const ordered_json& b) {
+    return nlohmann::json(a) == nlohmann::json(b);
+}
+
 /// Whether both heads have the same members, but for what is planned.
 bool same_measurement(const ordered_json& head, const ordered_json& before) {
     for (const auto& [name, value] : head.items())
-        if (name != "planned" && value != member(before, name)) return false;
+        if (name != "planned" && !same(value, member(before, name))) return false;
     return true;
 }
 
@@ -64,7 +69,8 @@ Checkpoint::Checkpoint(std::filesystem::path path, ordered_json head, bool keep)
         const ordered_json planned = member(about, "planned"), was = member(before, "planned");
         for (const ordered_json& part : known) {
             const auto name = part.value("part", std::string());
-            if (planned.is_null() || (planned.contains(name) && planned[name] == member(was, name)))
+            if (planned.is_null() ||
+                (planned.contains(name) && same(planned[name], member(was, name))))
                 parts.push_back(part);
         }
     }
