@@ -27,7 +27,7 @@ std::uint64_t program_hash() {
     return hash_bytes(std::as_bytes(std::span(bytes)));
 }
 
-/// The member, or null.
+/// The member; null where there is none, or no object.
 ordered_json member(const ordered_json& object, const std::string& name) {
     const auto found = object.find(name);
     return found != object.end() ? *found : ordered_json();
@@ -62,19 +62,18 @@ Checkpoint::Checkpoint(std::filesystem::path path, ordered_json head, bool keep)
     report_["finished"] = false;
     ordered_json& parts = report_["parts"] = ordered_json::array();
     if (!std::filesystem::is_regular_file(path_)) return;
-    const ordered_json before = read_report(path_);
-    const ordered_json known = before.is_object() ? member(before, "parts") : ordered_json();
+    const ordered_json before = read_report(path_), known = member(before, "parts");
     if (!known.is_array()) return;
     if (same_measurement(about, before) && (keep || !before.value("finished", true))) {
         const ordered_json planned = member(about, "planned"), was = member(before, "planned");
         for (const ordered_json& part : known) {
             const auto name = part.value("part", std::string());
-            if (planned.is_null() ||
-                (planned.contains(name) && same(planned[name], member(was, name))))
-                parts.push_back(part);
+            if (same(member(planned, name), member(was, name))) parts.push_back(part);
         }
     }
-    keeps_before_ = parts.size() < known.size();
+    if (parts.size() < known.size())
+        aside_ = std::filesystem::path(path_).replace_extension(
+            before.value("key", std::string("before")) + ".json");
 }
 
 const ordered_json* Checkpoint::find(const std::string& part) const {
@@ -95,17 +94,13 @@ void Checkpoint::finish() {
     save();
 }
 
-std::filesystem::path Checkpoint::before_path() const {
-    return std::filesystem::path(path_).replace_extension(".before.json");
-}
-
 void Checkpoint::save() {
-    if (std::exchange(keeps_before_, false)) {
+    if (const std::filesystem::path aside = std::exchange(aside_, {}); !aside.empty()) {
         std::error_code failed;
-        std::filesystem::rename(path_, before_path(), failed);
-        if (failed) fail("{}: {}", before_path().string(), failed.message());
-        fmt::print("{}: has parts that this measurement has not; it is now {}\n", path_.string(),
-                   before_path().string());
+        std::filesystem::rename(path_, aside, failed);
+        if (failed) fail("{}: {}", aside.string(), failed.message());
+        fmt::print("{}: the older report has other parts; it is now {}\n", path_.string(),
+                   aside.string());
     }
     write_file(path_, report_.dump(1) + "\n");
 }

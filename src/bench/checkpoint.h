@@ -19,7 +19,7 @@ public:
     /// `head` is what stands above the parts; `planned` in it has what tells each part from others.
     /// Parts of an unfinished report at `path` are taken over where they and the rest of the head
     /// are the same; with `keep`, those of a finished one too. The first add() or finish()
-    /// replaces the file. If it has other parts, it is then renamed (before_path()).
+    /// replaces the file. If it has other parts, it is renamed to NAME.KEY.json, with its own key.
     Checkpoint(std::filesystem::path path, nlohmann::ordered_json head, bool keep);
 
     /// The part with this `part` member, or null.
@@ -31,15 +31,12 @@ public:
 
     const nlohmann::ordered_json& report() const { return report_; }
 
-    /// Where a report stays whose parts this one does not have: NAME.before.json.
-    std::filesystem::path before_path() const;
-
 private:
     void save();
 
     std::filesystem::path path_;
     nlohmann::ordered_json report_;
-    bool keeps_before_ = false;
+    std::filesystem::path aside_; // where the file goes first; empty if nothing in it is missing
 };
 
 } // namespace vigil::bench

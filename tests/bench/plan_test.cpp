@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -390,6 +391,8 @@ TEST(Checkpoint, TakesOverThePartsOfAnotherPlan) {
         both.add("a", {{"value", 1}});
         both.add("b", {{"value", 2}});
     }
+    const auto key = read_report(path)["key"].get<std::string>();
+    const std::filesystem::path aside = folder.path() / ("report." + key + ".json");
     {
         // One of its parts, another one measured otherwise, and a new one.
         const ordered_json planned = {
@@ -399,17 +402,21 @@ TEST(Checkpoint, TakesOverThePartsOfAnotherPlan) {
         EXPECT_EQ((*other.find("a"))["value"], 1);
         EXPECT_EQ(other.find("b"), nullptr);
         // Nothing is lost, and nothing moves before there is something new.
-        EXPECT_FALSE(std::filesystem::exists(other.before_path()));
+        EXPECT_FALSE(std::filesystem::exists(aside));
         other.add("c", {{"value", 3}});
-        EXPECT_EQ(read_report(other.before_path())["parts"].size(), 2u);
+        EXPECT_EQ(read_report(aside)["parts"].size(), 2u);
         other.finish();
-        EXPECT_EQ(read_report(other.before_path())["parts"].size(), 2u);
+        EXPECT_EQ(read_report(aside)["parts"].size(), 2u);
     }
-    // All parts are there: the older report stays where it is.
-    Checkpoint same(path, head({{"a", {{"views", 4}}}, {"c", {{"views", 4}}}}), true);
-    same.finish();
-    EXPECT_EQ(read_report(same.before_path())["parts"].size(), 2u);
+    // All parts are there, so nothing is renamed.
+    Checkpoint(path, head({{"a", {{"views", 4}}}, {"c", {{"views", 4}}}}), true).finish();
     EXPECT_EQ(read_report(path)["parts"].size(), 2u);
+    // Other measurements do not replace what was set aside.
+    for (const int seeds : {4, 5})
+        Checkpoint(path, {{"measured", "x"}, {"seeds", seeds}}, false).add("a", {{"value", 4}});
+    EXPECT_EQ(read_report(aside)["parts"].size(), 2u);
+    const auto files = std::filesystem::directory_iterator(folder.path());
+    EXPECT_EQ(std::distance(begin(files), end(files)), 4); // of four measurements
 }
 
 TEST(PlanCsv, HasALineForEveryMeasureAndFrame) {
