@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draws cost and error against the number of lights, of pixels and of triangles, from the report of `run bench scale`."""
 
-from matplotlib import pyplot
+from matplotlib import pyplot, ticker
 
 import drawing
 
@@ -33,7 +33,9 @@ def draw(report):
         for line in range(2):
             grid[line][column].set_xscale("log")
             grid[line][column].set_yscale("log")
+            grid[line][column].set_xticks(places)
             grid[line][column].xaxis.set_major_formatter(drawing.PLAIN)
+            grid[line][column].xaxis.set_minor_formatter(ticker.NullFormatter())
             drawing.plain_axis(grid[line][column].yaxis)
             grid[line][column].tick_params(labelsize=9)
             grid[line][column].set_xlabel(title)
