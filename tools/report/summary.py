@@ -44,9 +44,14 @@ def devices(reports):
 def sentences(reports):
     """What was measured, how good it is, what it costs."""
     by_name = {report["measured"]: report for report in reports}
-    commits = sorted({report["commit"] for report in reports})
-    said = [f"This page has {len(reports)} experiment{'s' * (len(reports) != 1)} of commit{'s' * (len(commits) != 1)} "
-            f"{', '.join(commits)} on {', '.join(devices(reports))}."]
+    by_commit = {}
+    for report in reports:
+        by_commit.setdefault(report["commit"], []).append(report["measured"])
+    commits = next(iter(by_commit), "")
+    if len(by_commit) > 1:
+        commits = "; ".join(f"{commit} ({', '.join(names)})" for commit, names in by_commit.items())
+    said = [f"This page has {len(reports)} experiment{'s' * (len(reports) != 1)} of commit{'s' * (len(by_commit) != 1)} {commits} "
+            f"on {', '.join(devices(reports))}."]
     quality = by_name.get("quality")
     errors = ratios(quality, "vlc", "trimmed_mse", "ratio_at_equal_time") if quality else []
     if errors:
