@@ -40,20 +40,62 @@ void weigh_lights(inout CutChoice choice, CutGroup group, LtcSurface surface, ui
     }
 }
 
-/// Weighs a group, or what stands for it where it is near. `opened`: groups and lights weighed so far in place of others.
-void weigh_group(inout CutChoice choice, inout uint opened, uint number, LtcSurface surface, uint sought, uint place) {
-    uint end = NONE;
-    do {
-        const CutGroup group = load_group(number);
-        if (end == NONE) end = group.next;
-        const CutWeight weight = cut_weight(group, surface, HAS_GLOSS);
-        const bool opens = weight.importance > 0.0 && weight.width > CUT_NEAR + CUT_HARDER * float(opened);
-        const bool halves = opens && group.count > CUT_LEAF;
-        if (!opens) weigh(choice, CUT_GROUP | number, group_importance(weight), has_place(group, place));
-        else opened += halves ? 2u : group.count;
-        if (opens && !halves) weigh_lights(choice, group, surface, sought);
-        number = halves ? number + 1u : group.next;
-    } while (number != end);
+/// What is left to be weighed one by one: lights by their ids, or CUT_GROUP with the first light in cut_order times 16, and their number.
+/// It waits until the groups are weighed: in one loop for both, each invocation of a subgroup would wait whenever another has lights.
+const uint CUT_LISTED = 32u;
+uint cut_listed[CUT_LISTED];
+
+void weigh_listed(inout CutChoice choice, uint listed, LtcSurface surface, uint sought) {
+    uint at = 0u, within = 0u;
+    while (at < listed) {
+        const uint run = cut_listed[at];
+        const bool single = (run & CUT_GROUP) == 0u;
+        const uint light = single ? run : load_word(cut_order, ((run & ~CUT_GROUP) >> 4u) + within);
+        weigh(choice, light, light_importance(surface, light), light == sought);
+        within += 1u;
+        if (!single && within < (run & 15u)) continue;
+        at += 1u;
+        within = 0u;
+    }
+}
+
+uint cut_entry(LightCut cut, uint i) {
+    return load_word(cut_entries, i < cut.still.y ? cut.still.x + i : cut.moving.x + (i - cut.still.y));
+}
+
+/// Weighs the entries of a cut, or what stands for those that are near. One loop goes through the groups of all entries, so that invocations
+/// with few of them near are not kept waiting at each.
+void weigh_cut(inout CutChoice choice, LightCut cut, LtcSurface surface, uint sought, uint place) {
+    uint entries = 0u;              // begun
+    uint number = NONE, end = NONE; // group, and that after the entry
+    uint opened = 0u;               // groups and lights weighed in place of others
+    bool all = false;
+    while (!all) {
+        uint listed = 0u;
+        while (listed < CUT_LISTED) {
+            if (number == end) {
+                all = entries == cut_size(cut);
+                if (all) break;
+                const uint entry = cut_entry(cut, entries++);
+                if ((entry & CUT_GROUP) == 0u) {
+                    cut_listed[listed++] = entry;
+                    continue;
+                }
+                number = entry & ~CUT_GROUP;
+                end = NONE;
+            }
+            const CutGroup group = load_group(number);
+            if (end == NONE) end = group.next;
+            const CutWeight weight = cut_weight(group, surface, HAS_GLOSS);
+            const bool opens = weight.importance > 0.0 && weight.width > CUT_NEAR + CUT_HARDER * float(opened);
+            const bool halves = opens && group.count > CUT_LEAF;
+            if (!opens) weigh(choice, CUT_GROUP | number, group_importance(weight), has_place(group, place));
+            else opened += halves ? 2u : group.count;
+            if (opens && !halves) cut_listed[listed++] = CUT_GROUP | (group.first << 4u) | group.count;
+            number = halves ? number + 1u : group.next;
+        }
+        weigh_listed(choice, listed, surface, sought);
+    }
 }
 
 CutDraw draw_of(CutChoice choice, uint sought) {
@@ -68,12 +110,7 @@ CutDraw draw_from_cut(LightCut cut, LtcSurface surface, uint sought, vec3 u) {
     const uint place = sought == NONE ? NONE : place_in_cut(cut, sought);
     if (sought != NONE && place == NONE) return CutDraw(NONE, 0.0);
     CutChoice choice = new_choice(new_reservoir(u.x));
-    uint opened = 0u;
-    for (uint i = 0u; i < cut_size(cut); ++i) {
-        const uint entry = load_word(cut_entries, i < cut.still.y ? cut.still.x + i : cut.moving.x + (i - cut.still.y));
-        if ((entry & CUT_GROUP) != 0u) weigh_group(choice, opened, entry & ~CUT_GROUP, surface, sought, place);
-        else weigh(choice, entry, light_importance(surface, entry), entry == sought);
-    }
+    weigh_cut(choice, cut, surface, sought, place);
     CutDraw draw = draw_of(choice, sought);
     if (draw.light == NONE || (draw.light & CUT_GROUP) == 0u) return draw;
 

@@ -21,6 +21,8 @@ SHADER_CONST float CUT_NEAR = 0.35f;
 /// How much wider they must be for each group or light that a draw has weighed so. As no width is
 /// above 3, they are at most some 2,700.
 SHADER_CONST float CUT_HARDER = 1.0f / 1024.0f;
+/// Groups are opened for the GGX lobe where it may add so many times what they are taken to add.
+SHADER_CONST float CUT_GLINT = 2.0f;
 /// Least mean cosines: where a group's estimate is too low, its lights must not become fireflies.
 SHADER_CONST float CUT_LEAST_COSINE = 0.03f;
 
@@ -45,11 +47,24 @@ SHADER_FN float cut_mean_above(float middle, float reach) {
     return middle >= reach ? middle : top * top / (4.0f * max(reach, 1e-9f));
 }
 
+/// Most of max(z, 0) / |x|^4 over the points x of the box middle - reach .. middle + reach; of one that
+/// reaches down to z = 0, about that.
+SHADER_FN float cut_most(vec3 middle, vec3 reach) {
+    float top = middle.z + reach.z;
+    if (top <= 0.0f) return 0.0f;
+    float x = max(abs(middle.x) - reach.x, 0.0f);
+    float y = max(abs(middle.y) - reach.y, 0.0f);
+    float aside = x * x + y * y;
+    float z = clamp(sqrt(aside * (1.0f / 3.0f)), max(middle.z - reach.z, 0.125f * top), top);
+    float squared = aside + z * z;
+    return z / (squared * squared);
+}
+
 /// What a group may add to a surface, and its width.
 struct CutWeight {
     float importance; // 0 only if no light of the group can shine on the surface
     float width;      // squared half diagonal over mean squared distance, in [0, 3]; in the world
-                      // or, if that is more, where the GGX lobe is a cosine
+                      // or, if that is more and the GGX lobe may glint, where that is a cosine
 };
 
 /// In the unit of ltc_importance().
@@ -83,10 +98,12 @@ SHADER_FN CutWeight cut_weight(CutGroup group, LtcSurface surface, bool glossy) 
         mat3 rows = transpose(surface.to_cosine);
         vec3 wide = vec3(dot(abs(rows[0]), group.reach), dot(abs(rows[1]), group.reach), dot(abs(rows[2]), group.reach));
         float far = max(dot(turned, turned) + dot(wide, wide) * (1.0f / 3.0f), 1e-8f);
-        float lobe = surface.determinant * toward * cut_mean_above(turned.z, wide.z) / (far * far) * INVERSE_PI;
+        float scale = surface.determinant * toward * INVERSE_PI;
+        float lobe = scale * cut_mean_above(turned.z, wide.z) / (far * far);
         weight.importance += surface.specular * mix(lobe, diffuse, LTC_DEFENSIVE);
         // A narrow lobe sees lights apart that lie side by side.
-        if (turned.z + wide.z > 0.0f) weight.width = max(weight.width, dot(wide, wide) / far);
+        float most = surface.specular * scale * cut_most(turned, wide);
+        if (most > CUT_GLINT * weight.importance) weight.width = max(weight.width, dot(wide, wide) / far);
     }
     weight.importance *= group.energy;
     return weight;

@@ -285,6 +285,29 @@ TEST(LightCuts, WeighNothingOnlyWhereNoLightCanShine) {
     EXPECT_GT(none, 100u);
 }
 
+TEST(LightCuts, MostOfALobeIsThatOfItsPoints) {
+    Random random = shader::random_begin({5, 5}, 0, 0);
+    for (uint32_t i = 0; i < 300; ++i) {
+        const glm::vec3 reach = glm::vec3(0.01f) + shader::random_next3(random);
+        glm::vec3 middle = 4.0f * (shader::random_next3(random) - 0.5f);
+        middle.z = reach.z * (1.5f + 4.0f * shader::random_next3(random).x);
+        constexpr int steps = 32;
+        float most = 0.0f;
+        for (int x = 0; x <= steps; ++x)
+            for (int y = 0; y <= steps; ++y)
+                for (int z = 0; z <= steps; ++z) {
+                    const glm::vec3 part = 2.0f / steps * glm::vec3(x, y, z) - 1.0f;
+                    const glm::vec3 point = middle + part * reach;
+                    const float squared = glm::dot(point, point);
+                    most = std::max(most, point.z / (squared * squared));
+                }
+        EXPECT_LE(most, 1.0001f * shader::cut_most(middle, reach));
+        EXPECT_GT(most, 0.8f * shader::cut_most(middle, reach));
+        middle.z = -reach.z * 1.01f; // below the horizon
+        EXPECT_EQ(shader::cut_most(middle, reach), 0.0f);
+    }
+}
+
 /// A surface at a point, seen from anywhere; glossy ones mirror more than they scatter.
 shader::LtcSurface surface_at(const Point& point, bool glossy, Random& random) {
     if (!glossy) return shader::ltc_prepare_diffuse(point.position, point.normal, 0.5f);

@@ -220,8 +220,11 @@ FAULTS = [
           "> size + 1) {", "> size / 4 + 1) {",
           LIGHT_CUTS, "LightCuts.HaveNoGroups*", quick=True),
     Fault("light cuts: the width of a group is the same for every lobe", "shaders/shared/light_cut.h",
-          "if (turned.z + wide.z > 0.0f) weight.width", "if (turned.z > 1e30f) weight.width",
+          "if (most > CUT_GLINT * weight.importance) weight.width", "if (most > 1e38f) weight.width",
           LIGHT_CUTS, "*NearlyAsGood*", quick=True),
+    Fault("light cuts: a lobe is said to be brightest at the middle of a group", "shaders/shared/light_cut.h",
+          "float x = max(abs(middle.x) - reach.x, 0.0f);", "float x = abs(middle.x);",
+          LIGHT_CUTS, "*MostOfALobe*", quick=True),
 
     # Lights and clusters that may see each other.
     Fault("a light that reaches into several clusters is missing from one's list",
@@ -341,6 +344,9 @@ FAULTS = [
     Fault("cut: a light of a group counts 4% too likely", "shaders/light/cut_draw.glsl",
           "CutDraw(draw.light, probability * draw.probability)", "CutDraw(draw.light, 1.04 * probability * draw.probability)",
           TECHNIQUE, "*KeepsItsPromises/cut_FourEntries"),
+    Fault("cut: a group that is opened lacks its last light", "shaders/light/cut_draw.glsl",
+          "if (!single && within < (run & 15u)) continue;", "if (!single && within + 1u < (run & 15u)) continue;",
+          TECHNIQUE, "*KeepsItsPromises/cut_*"),
     Fault("mixture of vlc: 4% too few draws from the cache", "shaders/light/vlc.glsl",
           "u.x - shares.cache; // below 0: the cache", "u.x - 0.96 * shares.cache; // below 0: the cache", TECHNIQUE, "*KeepsItsPromises/vlc_FourAtMostWithoutLists"),
     Fault("what vlc draws beside the cache is drawn 4% too rarely", "shaders/pathtrace/next_event.glsl",
