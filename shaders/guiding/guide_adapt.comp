@@ -47,17 +47,30 @@ float guided_share(uint node) { return share_of(load_share(node), settings.first
 #define GUIDE_LEARNS
 #include "guiding/guider.glsl"
 
+void add_spread(uint kind, float moment, float rays) {
+    const float value = sqrt(moment) * sqrt(rays);
+    uint seen = work.spreads[kind];
+    for (;;) {
+        const uint before = atomicCompSwap(work.spreads[kind], seen, floatBitsToUint(uintBitsToFloat(seen) + value));
+        if (before == seen) return;
+        seen = before;
+    }
+}
+
 /// How well the BRDF and the guider drew a node's rays, of which there are `rays` > 0.
 void learn_share(uint node, uint rays) {
-    vec2 sums = vec2(0.0); // of the BRDF, of the guider
+    vec3 sums = vec3(0.0); // of the BRDF, of the guider; and of what rays of the BRDF alone would have
+    const float used = guided_share(node);
     const NodeRays own = rays_of(node, rays);
     for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) {
         const uint word = ray_samples[ray_word(own, i) + 1u];
         const float part = unpack_sum(word, 1u);
-        sums += unpack_sum(word, 0u) * vec2(1.0 - part, part);
+        sums += unpack_sum(word, 0u) * vec3(1.0 - part, part, (1.0 - used) / max(1.0 - part, 1e-3));
     }
-    sums = min(group_sum(vec4(sums, 0.0, 0.0)).xy, EXPLORE_LARGEST_SUM);
+    sums = min(group_sum(vec4(sums, 0.0)).xyz, EXPLORE_LARGEST_SUM);
     if (gl_LocalInvocationID.x != 0u) return;
+    add_spread(GUIDE_SPREAD_PLAIN, sums.z, float(rays));
+    add_spread(GUIDE_SPREAD_GUIDED, sums.x + sums.y, float(rays));
     const uvec2 memory =
         share_pack(share_update(load_share(node), guide_kept(settings, rays), float(rays), sums.x, sums.y, settings.first_share));
     const uint words = node_word(NODE_SHARE, node);

@@ -84,7 +84,7 @@ void make_guide(uint node) {
     const ShareMemory share = load_share(source);
     store(node_word(NODE_SHARE, node), share_pack(split ? share_of_part(share) : share));
     store(node_word(NODE_RAYS, node), uvec2(0u));
-    const uint rays = old_node_rays(source).x;
+    const uint rays = expected_rays(source);
     const uint room = room_for(split ? demand_of_part(rays) : rays, work.ray_demand, header.ray_capacity, new_node_count);
     store(node_word(NODE_RAY_STORAGE, node), storage_of(atomicAdd(work.ray_used, room), room, header.ray_capacity));
 }

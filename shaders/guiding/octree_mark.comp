@@ -38,10 +38,10 @@ void main() {
     if (settings.guided != 0u) {
         const uvec2 own = old_node_rays(index);
         if (own.x + own.y > 0u) lists[guide_entry(atomicAdd(work.guide_groups.x, 1u))] = index;
-        rays = own.x;
-        if (rays > 0u) atomicAdd(work.rays, rays);
+        if (own.x > 0u) atomicAdd(work.rays, own.x);
         const uint room = old_leaves[node_word(NODE_RAY_STORAGE, index) + 1u];
-        if (rays > room) atomicAdd(work.rays_dropped, rays - room);
+        if (own.x > room) atomicAdd(work.rays_dropped, own.x - room);
+        rays = expected_rays(index);
     }
     uint ray_demand = rays + uint(bitCount(marks)) * demand_of_part(rays);
     if (index > 0u && (node & MARK_SPLITS) == OCTREE_ALL_LEAVES && sum < settings.collapse) {

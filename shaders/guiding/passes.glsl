@@ -58,6 +58,12 @@ uvec2 old_node_rays(uint node) {
     return uvec2(old_leaves[words], old_leaves[words + 1u]);
 }
 
+/// Rays that bring something, which an old node is to expect; of a frame without guided ones, as many as there is room for.
+uint expected_rays(uint node) {
+    if (settings.unguided == 0u) return old_node_rays(node).x;
+    return old_leaves[node_word(NODE_RAY_STORAGE, node) + 1u] * 4u / 5u; // room has a quarter to spare
+}
+
 uint old_leaf_count(uint leaf) { return old_leaves[leaf_word(LEAF_COUNT, leaf)]; }
 
 /// First of the words of a cache's buckets (VLC_BUCKET_WORDS), in the buffer of caches.

@@ -10,7 +10,7 @@
 
 /// `brought` is the luminance that the ray brought to its surface's viewer.
 void learn_direction(Guided guided, float brought) {
-    if (GUIDES == 0 || path_index != 0u) return;
+    if (GUIDES == 0 || path_index != 0u || guiding.guides == 0u) return;
     // Brighter than a sample can say is as bright as it can.
     const float estimate = min(finite_or_zero(brought), 1e15);
     // Where BRDF and cosine are weighed anyway, the guider learns where light comes from; else both are a part of it.

@@ -49,19 +49,24 @@ vec3 collect(Surface surface, Ray ray, Hit hit, Vertex vertex, float brdf_pdf) {
     return sum;
 }
 
-#if GUIDES == 0
 /// Draws a direction by the BRDF.
-vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
+vec3 draw_plain_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
     const BrdfSample drawn = brdf_sample(surface.brdf, surface.normal, surface.view, random_next3(random));
     seen = drawn.seen;
-    guided.brdf_pdf = seen.pdf;
+    guided = Guided(NONE, uvec2(0u), 0.0, seen.pdf, 0.0, 0.0);
     return drawn.direction;
+}
+
+#if GUIDES == 0
+vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
+    return draw_plain_direction(surface, random, seen, guided);
 }
 #else
 /// Draws directions by the BRDF and, in a part of the draws, by the guider of the surface's node (paper, section 5.2). Of several, one is
 /// kept in proportion to what it is expected to bring (resampled importance sampling, Talbot et al. 2005): BRDF times cosine, times the guider's
 /// density, mixed with an even one by the same part. `seen.pdf` is then an estimate, and its inverse is unbiased.
 vec3 draw_direction(Surface surface, inout Random random, out BrdfValue seen, out Guided guided) {
+    if (guiding.guides == 0u) return draw_plain_direction(surface, random, seen, guided);
     const SurfaceLeaves found = find_leaves(surface.position, previous_position(surface));
     const uint node = octree_node_of(found.cache);
     const Guide guide = guide_prepare(load_guide(node));

@@ -23,6 +23,7 @@ struct GuidingHeader {
     uint vlc_most;        // to which that may grow
     uint stores;          // 1: samples of this frame are stored; 0: nothing is learned from it
     uint explores;        // 1: every surface looks beside its cache: a light has appeared
+    uint guides;          // 1: guiders draw rays; 0: the BRDF alone, and nothing is learned of rays
 };
 
 /// Arrays by leaf, one after another in one buffer of words (structure of arrays).
@@ -356,6 +357,7 @@ struct GuidingSettings {
     float first_share; // of guided rays, where nothing is known
     uint adapt_share;  // 1: their share follows what rays estimated
     uint memory_words; // of the guider, per node; 0 without memory
+    uint unguided;     // 1: the frame had no rays to learn from
 };
 
 /// Density of directions of which `other_part` are drawn with the density `other`, the rest with that of the guider.
@@ -406,7 +408,10 @@ struct GuidingWork {
     uint collapses;
     uint cdq_migrations;
     uint splits_refused; // the tree had no room for more nodes
+    uint spreads[2];     // GUIDE_SPREAD_*: roots of the nodes' second moments added up, as bits of floats
 };
+SHADER_CONST uint GUIDE_SPREAD_PLAIN = 0u;  // if the BRDF drew all rays
+SHADER_CONST uint GUIDE_SPREAD_GUIDED = 1u; // as they are drawn
 
 SHADER_END
 #endif

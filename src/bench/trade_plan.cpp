@@ -57,6 +57,7 @@ const std::vector<Sweep>& sweeps() {
         {"pt_explore_change", "vlc", {"0"}},
         {"pt_explore_distance", "vlc", {"0"}},
         {"pt_guide_directions", "vlc+cdq", {"1", "4"}},
+        {"pt_guide_gain", "vlc+cdq", {"0"}},
         {"pt_cdq_bits", "vlc+cdq", {"32", "64", "96"}},
         {"pt_cdq_adapt", "vlc+cdq", {"0"}},
         {"pt_cdq_brdf", "vlc+cdq", {"0.1", "0.25", "0.75"}},

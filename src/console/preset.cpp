@@ -31,6 +31,7 @@ constexpr Departure departures[] = {
     {"pt_cdq_rays", "0"},         // section 5.1: the samples of the frame before
     {"pt_cdq_migrations", "1"},   // section 5.1
     {"pt_cdq_adapt", "0"},        // section 7: half of the rays
+    {"pt_guide_gain", "0"},       // all frames have guided rays
     {"pt_guide_directions", "1"}, // section 5.2: a ray is a draw from the mixture
     {"pt_vlc_bucket", "32"},      // section 7; as the default
     {"pt_indirect_rate", "full"}, // section 7: one path per pixel; as the default

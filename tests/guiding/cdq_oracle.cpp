@@ -260,12 +260,13 @@ AdaptedQuadtrees adapt_quadtree(const Squares& inner, const QuadtreeLessons& les
 ShareState adapt_share(const ShareState& shared, const QuadtreeLessons& lessons, uint32_t memory,
                        double first) {
     const double used = shared.rays > 0.0 ? shared.share : first;
-    double plain = 0.0, guided = 0.0;
+    double plain = 0.0, guided = 0.0, by_brdf = 0.0;
     for (const auto& [ray, estimate] : taken_rays(lessons)) {
         const double square = static_cast<double>(std::bit_cast<float>(estimate << 16));
         const double part = static_cast<double>(std::bit_cast<float>(estimate & 0xffff0000u));
         plain += square * (1.0 - part);
         guided += square * part;
+        by_brdf += square * (1.0 - used) / std::max(1.0 - part, 1e-3);
     }
     const auto rays = static_cast<double>(lessons.rays());
     const double kept = 1.0 - 0.25 * (1.0 - kept_part(lessons.rays(), memory));
@@ -273,6 +274,8 @@ ShareState adapt_share(const ShareState& shared, const QuadtreeLessons& lessons,
     after.plain = kept * shared.plain + (1.0 - used) * plain;
     after.guided = kept * shared.guided + used * guided;
     after.rays = kept * shared.rays + rays;
+    after.plain_spread = std::sqrt(by_brdf * rays);
+    after.guided_spread = std::sqrt((plain + guided) * rays);
     const double all = std::sqrt(after.guided) + std::sqrt(after.plain);
     const double best = all > 0.0 ? std::sqrt(after.guided) / all : first;
     const double trust = after.rays / (after.rays + 32.0);

@@ -54,9 +54,11 @@ struct QuadtreeLessons {
     size_t rays() const;
 };
 
-/// How well the BRDF and the guider drew rays: running sums, and the guider's share.
+/// How well the BRDF and the guider drew rays: running sums, and the guider's share. Of the last
+/// frame the roots of rays times second moment, if the BRDF drew all and as they were drawn.
 struct ShareState {
     double plain = 0.0, guided = 0.0, rays = 0.0, share = 0.0;
+    double plain_spread = 0.0, guided_spread = 0.0;
 };
 
 /// `shared` after a frame with these rays, which were drawn with it: `first` is the share of a node

@@ -249,7 +249,7 @@ void GuidingTest::compare_with(const vkpt::Guiding::Tree& old_tree) {
     if (cdq_bits_ > 0) {
         for (const Disagreements& found :
              {compare_quadtrees(state_, quadtrees_, cdq_bits_, remember(), seen_old, statistics_),
-              compare_shares(state_, shares_, seen_old),
+              compare_shares(state_, shares_, seen_old, statistics_),
               compare_ray_storage(tree_.inner, seen, header.ray_capacity),
               compare_guides_handed_on(tree_, seen, state_.inner, seen_old, remember())})
             ASSERT_TRUE(found.empty()) << found.text();

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace vigil::test {
 
@@ -274,10 +275,13 @@ Disagreements compare_guides_handed_on(const AdaptedOctree& expected, const Tree
 }
 
 Disagreements compare_shares(const TreeState& old, const ByPath<ShareState>& expected,
-                             const TreeWords& seen_old) {
+                             const TreeWords& seen_old, const GuidingWork& statistics) {
     Disagreements found;
     const Numbering numbers(old.inner);
+    double spreads[2] = {};
     for (const auto& [path, want] : expected) {
+        spreads[shader::GUIDE_SPREAD_PLAIN] += want.plain_spread;
+        spreads[shader::GUIDE_SPREAD_GUIDED] += want.guided_spread;
         const ShareState got = shared_at(seen_old, numbers.node(path));
         // Floats of two bytes.
         for (double ShareState::*value :
@@ -285,6 +289,11 @@ Disagreements compare_shares(const TreeState& old, const ByPath<ShareState>& exp
             if (std::abs(got.*value - want.*value) > 0.01 * want.*value + 1e-37)
                 found.add(fmt::format("node '{}': share: expected {}, seen {}", path, want.*value,
                                       got.*value));
+    }
+    for (const uint32_t kind : {shader::GUIDE_SPREAD_PLAIN, shader::GUIDE_SPREAD_GUIDED}) {
+        const auto got = static_cast<double>(std::bit_cast<float>(statistics.spreads[kind]));
+        if (!(std::abs(got - spreads[kind]) <= 1e-4 * spreads[kind]))
+            found.add(fmt::format("spread {}: expected {}, seen {}", kind, spreads[kind], got));
     }
     return found;
 }

@@ -48,7 +48,7 @@ Disagreements compare_guides_handed_on(const AdaptedOctree& expected, const Tree
 
 /// What was learned of shares, in the nodes of the tree `old` that the passes started from.
 Disagreements compare_shares(const TreeState& old, const ByPath<ShareState>& expected,
-                             const TreeWords& seen_old);
+                             const TreeWords& seen_old, const shader::GuidingWork& statistics);
 
 /// Quadtrees of `bits` bits after the passes, in the nodes of the tree `old` that they started
 /// from, what they remember if they do, and how many migrations were counted.

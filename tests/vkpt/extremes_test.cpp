@@ -68,12 +68,13 @@ TEST_F(Extremes, SharesOfZeroAndOne) {
             {{"pt_cdq_margin", "0"}, {"pt_vlc_hysteresis", "0"}},
             {{"pt_cdq_margin", "1"}, {"pt_vlc_hysteresis", "1"}},
             {{"pt_guide_directions", "1"}},
-            {{"pt_guide_directions", "16"}}},
+            {{"pt_guide_directions", "16"}},
+            {{"pt_guide_directions", "2"}, {"pt_guide_gain", "1"}}},
            guided);
     record("shares", "pt_vlc_explore 1, pt_explore_local 0 and 1", "mean that of lh");
     record("shares",
            "pt_cdq_brdf 0 and 1, learned from there, pt_cdq_margin 0 and 1, "
-           "pt_vlc_hysteresis 0 and 1, pt_guide_directions 1 and 16",
+           "pt_vlc_hysteresis 0 and 1, pt_guide_directions 1 and 16, pt_guide_gain 1",
            "mean that of lh");
     // Without any exploring a light that no cache has is never found: documented, and darker.
     set("pt_guide", "brdf");

@@ -159,6 +159,23 @@ TEST_P(StillTest, LearningRestsUntilSomethingChanges) {
         EXPECT_TRUE(learns()) << "frame " << frame;
 }
 
+TEST_P(StillTest, GuidersThatGainTooLittleDrawFewRays) {
+    set("pt_guide", "cdq");
+    set("pt_cdq_rays", "1"); // they soon know what there is to know
+    const auto guided_frames = [&](std::string_view gain) {
+        set("pt_guide_gain", gain);
+        renderer().reset_guiding();
+        int count = 0;
+        for (int frame = 0; frame < 48; ++frame) {
+            render();
+            if (frame >= 16) count += renderer().guiding().header().guides != 0 ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_EQ(guided_frames("1"), 4); // of 32
+    EXPECT_EQ(guided_frames("0"), 32);
+}
+
 TEST_P(StillTest, LearningTakesTurns) {
     set("pt_guide", "brdf");
     set("pt_oct_scale", "100"); // a few leaves with many samples

@@ -59,6 +59,10 @@ constexpr double samples_per_light = 0.75;
 constexpr uint64_t samples_per_leaf = 32;
 /// Guiders learn from every frame until so many times the rays that they follow have taught them.
 constexpr uint64_t guide_memories = 16;
+/// Where guiders gain too little, they draw rays in one frame of so many: for what they know.
+constexpr uint32_t guide_turn = 8;
+/// Part of the last frame in what is known of their gain.
+constexpr double gain_pace = 0.25;
 /// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
 /// turn before: what has none lies on surfaces that are new to see, of which little is learned.
 constexpr uint64_t samples_per_unexpected = 100;
@@ -169,6 +173,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
     options.half_merged = settings.pt_vlc_persist >= persist_for_half;
     options.learn_every = static_cast<uint32_t>(settings.pt_learn_every);
     options.start_fine = settings.pt_oct_start != 0;
+    options.least_gain = static_cast<double>(settings.pt_guide_gain);
     if (settings.pt_view == shader::VIEW_SAMPLES) { // of every frame
         options.rest_after = 0;
         options.learn_every = 1;
@@ -364,7 +369,7 @@ bool Guiding::make_room(gpu::FrameCommands& commands, const Needs& needs) {
 bool Guiding::follow_needs(gpu::FrameCommands& commands, size_t slot) {
     if (!counted_.at(slot)) return false;
     const shader::GuidingWork work = statistics(slot);
-    guide_rays_ += work.samples;
+    follow_gain(work);
     turn_ = turn_for(work);
     const Needs needs = needs_of(work);
     worst_.nodes = std::max(worst_.nodes, needs.nodes);
@@ -383,9 +388,7 @@ uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
         turn = std::min(turn,
                         static_cast<uint64_t>(samples / (samples_per_light * work.cached_lights)));
     }
-    if (options_.guide.guides() &&
-        guide_rays_ < guide_memories * options_.settings.memory_rays * uint64_t{work.nodes})
-        turn = 1;
+    if (options_.guide.guides() && guiders_begin_) turn = 1;
     // As much is new in each frame of a turn.
     const uint64_t unexpected = options_.lights ? work.dropped : work.rays_dropped;
     const uint64_t all = options_.lights ? work.samples : work.rays;
@@ -393,43 +396,70 @@ uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
     return std::bit_floor(static_cast<uint32_t>(std::max<uint64_t>(turn, 1)));
 }
 
+void Guiding::follow_gain(const shader::GuidingWork& work) {
+    guide_rays_ += work.samples;
+    guiders_begin_ =
+        guide_rays_ < guide_memories * options_.settings.memory_rays * uint64_t{work.nodes};
+    const auto plain = std::bit_cast<float>(work.spreads[shader::GUIDE_SPREAD_PLAIN]);
+    const auto guided = std::bit_cast<float>(work.spreads[shader::GUIDE_SPREAD_GUIDED]);
+    if (!(plain > 0.0f) || !std::isfinite(guided / plain)) return;
+    gain_ += gain_pace * (1.0 - static_cast<double>(guided / plain) - gain_);
+}
+
+bool Guiding::rests() const {
+    return options_.rest_after > 0 && still_frames_ >= options_.rest_after;
+}
+
 /// Whether this frame stores samples, to learn from.
 bool Guiding::teaches() const {
-    if (options_.rest_after > 0 && still_frames_ >= options_.rest_after)
-        return still_frames_ % turn_at_rest == 0;
+    if (rests()) return still_frames_ % turn_at_rest == 0;
     return frames_ < eager_frames || frames_ % turn_ == 0;
+}
+
+/// Whether guiders draw this frame's rays.
+bool Guiding::guides() const {
+    if (options_.least_gain <= 0.0 || gain_ >= options_.least_gain) return true;
+    if (frames_ < eager_frames || guiders_begin_) return true;
+    return rests() ? teaches() : frames_ % guide_turn == 0;
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
                      std::span<const glm::vec3> places) {
     still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
     frames_ = change >= Change::Lights || restart_ ? 0 : frames_ + 1;
-    if (frames_ == 0) guide_rays_ = 0;
-    const uint32_t stores = teaches() ? 1 : 0, explores = change == Change::NewLights ? 1 : 0;
-    const uint32_t stored = std::exchange(header_.stores, stores);
-    const uint32_t explored = std::exchange(header_.explores, explores);
+    if (frames_ == 0) {
+        guide_rays_ = 0;
+        guiders_begin_ = true;
+    }
+    const shader::GuidingHeader before = header_;
+    header_.guides = guides() ? 1 : 0;
+    // Without caches there is nothing else to learn from.
+    header_.stores = teaches() && (options_.lights || header_.guides != 0) ? 1 : 0;
+    header_.explores = change == Change::NewLights ? 1 : 0;
     const bool starts = restart_;
-    const bool learns = stored != 0 || starts;
+    const bool learns = before.stores != 0 || starts;
     const bool grown = learns && follow_needs(commands, slot);
     if (restart_)
         upload_start(commands, places);
     else if (grown)
         commands.upload(header_buffer_, 0, gpu::bytes_of_value(header_));
-    else if (stored != stores || explored != explores)
+    else if (before.stores != header_.stores || before.explores != header_.explores ||
+             before.guides != header_.guides)
         vkCmdUpdateBuffer(commands.commands(), header_buffer_.handle(),
                           offsetof(shader::GuidingHeader, stores),
                           sizeof(shader::GuidingHeader) - offsetof(shader::GuidingHeader, stores),
                           &header_.stores);
-    if (learns) learn(commands, slot);
+    if (learns) learn(commands, slot, before.guides != 0 || starts);
     if (starts) counted_.at(slot) = false; // those samples are only expected
 }
 
-void Guiding::learn(gpu::FrameCommands& commands, size_t slot) {
+void Guiding::learn(gpu::FrameCommands& commands, size_t slot, bool guided) {
     counted_.at(slot) = true;
     const VkBufferCopy whole{0, 0, sizeof(shader::GuidingWork)};
     vkCmdCopyBuffer(commands.commands(), first_work_.handle(), work_.handle(), 1, &whole);
     const VkDescriptorSet set = trees_[current_].passes.handle();
     shader::GuidingSettings settings = options_.settings;
+    settings.unguided = guided ? 0 : 1;
     if (options_.half_merged) settings.merge_faces &= half_of_faces[learned_++ % 2];
     const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(settings)};
     const gpu::WorkGroups nodes{{(header_.node_capacity + 63) / 64, 1, 1}};

@@ -40,6 +40,7 @@ public:
         uint32_t learn_every = 1;      // of up to so many frames one teaches, if that is enough
         bool half_merged = false;      // neighbours take turns to be merged
         bool start_fine = true;        // the first octree follows `places`, or has one node
+        double least_gain = 0.0;       // of guiders: part of the spread of rays that they take away
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
@@ -63,7 +64,8 @@ public:
     /// in flight; a tree that starts expects samples at `places` (start_octree). Frames store
     /// samples as often as there is something to learn from them: all while Change::Lights goes on,
     /// fewer where one has plenty (Options::learn_every), one of 31 after Options::rest_after
-    /// frames in which nothing changes.
+    /// frames in which nothing changes. Where guiders gain less than Options::least_gain, they draw
+    /// rays in a few frames only.
     void record(gpu::FrameCommands& commands, size_t slot, Change change,
                 std::span<const glm::vec3> places = {});
     /// What the frame counted that was recorded last in `slot`; after its fence.
@@ -115,10 +117,13 @@ private:
     bool make_room(gpu::FrameCommands& commands, const Needs& needs);
     bool follow_needs(gpu::FrameCommands& commands, size_t slot);
     void upload_start(gpu::FrameCommands& commands, std::span<const glm::vec3> places);
+    bool rests() const;
     bool teaches() const;
+    bool guides() const;
+    void follow_gain(const shader::GuidingWork& work);
     /// Frames of which one is enough, by what a frame counted.
     uint32_t turn_for(const shader::GuidingWork& work) const;
-    void learn(gpu::FrameCommands& commands, size_t slot);
+    void learn(gpu::FrameCommands& commands, size_t slot, bool guided);
 
     const gpu::Device& device_;
     gpu::Buffer unused_;
@@ -137,6 +142,8 @@ private:
     uint32_t still_frames_ = 0; // since something changed, or the octree began
     uint32_t frames_ = 0;       // since Change::Lights, or the octree began
     uint64_t guide_rays_ = 0;   // that were to teach guiders since then
+    bool guiders_begin_ = true; // they learn from each frame
+    double gain_ = 1.0;         // of guiders, lately: 1 - the ratio of both spreads (GuidingWork)
     uint32_t turn_ = 1;         // of so many frames one teaches
     uint32_t learned_ = 0;      // frames learned from
 };
