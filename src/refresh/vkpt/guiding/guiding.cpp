@@ -177,6 +177,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
     if (settings.pt_view == shader::VIEW_SAMPLES) { // of every frame
         options.rest_after = 0;
         options.learn_every = 1;
+        options.least_gain = 0.0;
     }
     return options;
 }
