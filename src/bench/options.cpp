@@ -185,11 +185,6 @@ std::filesystem::path folder_with(std::span<const std::filesystem::path> basedir
     return {};
 }
 
-bool shows_filtered(Measured measured) {
-    return measured == Measured::Route || measured == Measured::Still ||
-           measured == Measured::Change || measured == Measured::Cut;
-}
-
 std::string_view changing_name(Changing changing) {
     switch (changing) {
     case Changing::Lamp:

@@ -38,8 +38,6 @@ enum class Measured {
     Cut,    // errors after the camera was elsewhere
     Economy // Times, and memory, uploads and shaders by what these are compiled for
 };
-/// Whether it is a part of `picture`.
-bool shows_filtered(Measured measured);
 
 /// What changes in a scene.
 enum class Changing {

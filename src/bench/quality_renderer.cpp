@@ -83,7 +83,7 @@ QualityRenderer::QualityRenderer(const QualityOptions& options, const std::strin
         fail("maps/{}.bsp is in none of the folders (--basedir FOLDER names one)", level);
     cvars().set("vid_width", std::to_string(options.size.x));
     cvars().set("vid_height", std::to_string(options.size.y));
-    if (cvars()->pt_jitter == 1 && !shows_filtered(options.measured))
+    if (cvars()->pt_jitter == 1)
         fail("pt_jitter 1 moves the pixels of references only; set 0 or 2");
     const auto add_base = [&](const QualityRow& row) {
         for (const Setting& setting : row.settings)
