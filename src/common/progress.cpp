@@ -54,6 +54,7 @@ void Progress::begin(std::string_view part) {
 
 void Progress::advance(const std::string& what) {
     ++done_;
+    if (done_ - skipped_ == 1) first_s_ = line_.seconds();
     show(what);
 }
 
@@ -67,10 +68,10 @@ void Progress::skip(int steps) {
 }
 
 void Progress::show(const std::string& what) {
-    const int worked = done_ - skipped_;
-    const std::string left = worked > 0
-                                 ? time_text(line_.seconds() / worked * (steps_ - done_)) + " left"
-                                 : "time left not known yet";
+    const int paced = done_ - skipped_ - 1;
+    const double worked_s = line_.seconds() - first_s_;
+    const std::string left = paced > 0 ? time_text(worked_s / paced * (steps_ - done_)) + " left"
+                                       : "time left not known yet";
     std::string text = part_;
     if (!what.empty()) text += text.empty() ? what : ": " + what;
     if (!text.empty()) text += ", ";

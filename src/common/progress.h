@@ -47,7 +47,8 @@ public:
     void note(const std::string& what);
     /// As ProgressLine::clear().
     void clear() { line_.clear(); }
-    /// Steps that need no work after all: they do not count for the pace.
+    /// Steps that need no work after all: they do not count for the pace. Nor does the first step
+    /// that is done: it also prepares what the others use.
     void skip(int steps);
 
     int done() const { return done_; }
@@ -58,6 +59,7 @@ private:
     int steps_;
     int done_ = 0;
     int skipped_ = 0;
+    double first_s_ = 0.0; // when the first step that is not skipped was done
     std::string part_;
     ProgressLine line_;
 };

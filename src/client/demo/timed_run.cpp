@@ -54,15 +54,11 @@ void TimedRun::begin(Session& session) {
 }
 
 void TimedRun::tell_progress() {
-    if (progress_) {
-        progress_->advance("frames");
-        return;
+    if (!progress_) {
+        progress_ = std::make_unique<Progress>(expected_);
+        progress_->begin(plan_.name);
     }
-    // The first frame takes as long as nothing after it: textures and shaders are met for the first
-    // time. The pace is that of the others.
-    progress_ = std::make_unique<Progress>(expected_);
-    progress_->skip(1);
-    progress_->begin(plan_.name);
+    progress_->advance("frames");
 }
 
 void TimedRun::end_frame(Session& session, double seconds) {
