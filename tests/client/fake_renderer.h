@@ -19,7 +19,7 @@ namespace vigil::client {
 
 /// What happened, kept outside so that it outlives the renderer.
 struct RenderLog {
-    refresh::Health health;
+    refresh::Health health; // of the next or present renderer: it goes with it
     std::string device = "a fake device";
     std::vector<std::string> calls; // "map tiny", "render", "picture", "radiance", "export PATH"
     std::vector<refresh::View> views;
@@ -46,6 +46,9 @@ struct RenderLog {
 class FakeRenderer final : public refresh::Renderer {
 public:
     explicit FakeRenderer(RenderLog& log) : log_(log) {}
+    ~FakeRenderer() override { log_.health = {}; }
+    FakeRenderer(const FakeRenderer&) = delete;
+    FakeRenderer& operator=(const FakeRenderer&) = delete;
 
     void load_level(std::shared_ptr<const Level> level, const refresh::Settings&) override {
         log_.calls.push_back("map " + level->name);

@@ -12,7 +12,7 @@ namespace {
 
 // Of each frame.
 constexpr double key_chance = 0.1, variable_chance = 0.1, size_chance = 0.01, level_chance = 0.005,
-                 demo_chance = 0.002, other_chance = 0.02;
+                 demo_chance = 0.002, other_chance = 0.02, restart_chance = 0.0005;
 /// Half of the switches go back to the default, or soon nothing would be as players have it.
 constexpr double default_chance = 0.5;
 
@@ -98,6 +98,7 @@ std::string Soak::random_level() {
 std::string Soak::next(bool walks) {
     if (frames_++ == 0) return random_level();
     if (chance(level_chance)) return random_level();
+    if (chance(restart_chance)) return std::string(restart);
     if (!choices_.demos.empty() && chance(demo_chance)) {
         ++levels_;
         return fmt::format("demomap \"{}\"\n", choices_.demos[pick(choices_.demos.size())]);

@@ -9,6 +9,7 @@
 
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vigil::client {
@@ -21,6 +22,9 @@ struct SoakChoices {
 
 class Soak {
 public:
+    /// Makes the renderer anew: typed alone in its frame.
+    static constexpr std::string_view restart = "vid_restart\n";
+
     Soak(SoakChoices choices, uint32_t seed);
 
     /// Console commands to run before the next frame; often none. `walks`: a player walks or flies

@@ -25,6 +25,11 @@ void report(const Soak& soak, const refresh::Health& health, double seconds) {
     log_info("{}", text);
 }
 
+void add(refresh::Health& sum, const refresh::Health& more) {
+    sum.nonfinite += more.nonfinite;
+    sum.validation_messages += more.validation_messages;
+}
+
 void run_soak(Client& client, CommandArguments arguments) {
     const double minutes = static_cast<double>(number_at(arguments, 0, "the minutes"));
     const auto seed =
@@ -36,17 +41,18 @@ void run_soak(Client& client, CommandArguments arguments) {
     const auto script = std::make_shared<SoakScript>(
         output_path("soak.cfg"), fmt::format("Typed by `soak {:g} {}`.", minutes, seed));
     const auto watch = std::make_shared<Stopwatch>();
+    const auto health = std::make_shared<refresh::Health>(); // of renderers that are gone
     const Trust trust = client.commands().trust();
-    client.commands().pause_script_until([&client, soak, script, watch, minutes, trust] {
+    client.commands().pause_script_until([&client, soak, script, watch, health, minutes, trust] {
         if (watch->seconds() >= 60.0 * minutes) {
-            client.attempt("soak", [&] {
-                report(*soak, client.session().renderer().health(), watch->seconds());
-            });
+            add(*health, client.session().renderer().health());
+            client.attempt("soak", [&] { report(*soak, *health, watch->seconds()); });
             return true;
         }
         const bool walks = client.play() != nullptr && !client.playing() && !client.flying();
         const std::string commands = soak->next(walks);
         if (!client.attempt("soak", [&] { script->add_frame(commands); })) return true;
+        if (commands == Soak::restart) add(*health, client.session().renderer().health());
         client.commands().execute_text(commands, "soak", trust);
         return false;
     });

@@ -30,10 +30,14 @@ TEST_F(SoakTest, TypesWhatTheConsoleTakes) {
     EXPECT_NE(output_.find("0 values that were not finite"), std::string::npos) << output_;
     // What is clamped is told: values must be in their ranges.
     EXPECT_EQ(output_.find("out of range"), std::string::npos) << output_;
-    render_.health.nonfinite = 3;
-    EXPECT_EQ(run("+soak 0.001"), 1);
-    EXPECT_NE(errors_.find("3 values that were not finite"), std::string::npos) << errors_;
     EXPECT_EQ(run("+soak soon"), 1);
+}
+
+TEST_F(SoakTest, CountsWhatEachRendererSaw) {
+    render_.health.nonfinite = 3;
+    EXPECT_EQ(run("+soak 0.01 10"), 1); // types it in frame 13
+    EXPECT_NE(errors_.find(" 3 values that were not finite"), std::string::npos) << errors_;
+    EXPECT_NE(game_.read("out/soak.cfg").find("\nvid_restart\n"), std::string::npos);
 }
 
 TEST_F(SoakTest, WritesDownWhatItTypes) {
