@@ -13,16 +13,18 @@ WITHOUT_SHADER = {"upload", "overlay", "present"}  # copies, and a graphics pipe
 WITHOUT_PASS = {"light_floor", "trace_rays"}  # of measurements
 
 
-def main(root: Path) -> int:
+def faults(root: Path) -> list[str]:
     table = (root / "src/refresh/vkpt/gpu/passes.h").read_text()
     passes = set(re.findall(r'^    ROW\(\w+, "(\w+)"', table, re.M)) - WITHOUT_SHADER
+    if not passes:
+        return ["passes.h: no rows of passes are found in it"]
     shaders = {file.stem for file in (root / "shaders").rglob("*.comp")} - WITHOUT_PASS
-    for name in sorted(passes - shaders):
-        print(f"pass {name}: no shader has this name")
-    for name in sorted(shaders - passes):
-        print(f"shader {name}: no pass has this name")
-    return 0 if passes and passes == shaders else 1
+    return [f"pass {name}: no shader has this name" for name in sorted(passes - shaders)] + [
+        f"shader {name}: no pass has this name" for name in sorted(shaders - passes)]
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    lines = faults(Path(sys.argv[1]))
+    for line in lines:
+        print(line)
+    sys.exit(1 if lines else 0)
