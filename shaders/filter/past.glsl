@@ -61,6 +61,7 @@ void add_past(inout Past past, uint index, float weight) {
 void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
     const mat4x2 weights = catmull_rom(within);
     vec3 direct = vec3(0.0);
+    vec3 least = vec3(FILTER_MAX), most = vec3(0.0); // of the four
     float sum = 0.0;
     for (int i = 0; i < 12; ++i) {
         // Four between the four, two on each side of them.
@@ -71,10 +72,15 @@ void sharpen_past(inout Past past, Then then, ivec2 first, vec2 within) {
         const float weight = weights[tap.x].x * weights[tap.y].y;
         const uint index = last_index(at);
         if (abs(weight) < 1e-3 || i >= 4 && !shows_plane(index, at, then)) continue;
-        direct += weight * unpack_color(load_history(index).direct);
+        const vec3 seen = unpack_color(load_history(index).direct);
+        if (i < 4) {
+            least = min(least, seen);
+            most = max(most, seen);
+        }
+        direct += weight * seen;
         sum += weight;
     }
-    past.direct = max(direct / sum, vec3(0.0));
+    past.direct = clamp(direct / sum, least, most);
 }
 
 /// How much of a surface a pixel covers, at a place `offset` from a camera, up to a factor.
@@ -96,17 +102,12 @@ vec2 valid_frames(vec2 frames, PrimaryHit hit, Then then) {
     return min(frames, vec2(TURN_OF_LOBE * alpha_f0.x / max(share * turned, 1e-6)));
 }
 
-Past find_past(PrimaryHit hit, FilterSurface surface) {
-    Past past = NO_PAST;
-    if ((frame.filter_flags & FILTER_HISTORY) == 0u) return past;
-    const Then then = point_before(hit, surface);
-    vec2 place;
-    if (!project_last(then.offset, place)) return past;
-    const vec2 corner = place - turn.last_pixel_point;
+/// Sums of the four pixels from floor(corner) on that showed the surface. Returns how many there are; `sum` is that of their weights.
+int add_four(inout Past past, Then then, vec2 corner, out float sum) {
     const ivec2 first = ivec2(floor(corner));
     const vec2 within = corner - vec2(first);
-    float sum = 0.0;
     int found = 0;
+    sum = 0.0;
     for (int i = 0; i < 4; ++i) {
         const ivec2 at = first + ivec2(i & 1, i >> 1);
         if (!inside_last(at)) continue;
@@ -117,26 +118,51 @@ Past find_past(PrimaryHit hit, FilterSurface surface) {
         sum += parts.x * parts.y;
         ++found;
     }
-    // Edges and thin things: whichever pixel around showed the surface.
-    if (sum < 0.05) {
-        past = NO_PAST;
-        sum = 0.0;
-        const ivec2 nearest = ivec2(floor(corner + 0.5));
-        for (int i = 0; i < 9; ++i) {
-            const ivec2 at = nearest + ivec2(i % 3 - 1, i / 3 - 1);
-            if (!inside_last(at)) continue;
-            const uint index = last_index(at);
-            if (!shows_same(index, at, then)) continue;
-            add_past(past, index, 1.0);
-            sum += 1.0;
-        }
-        if (sum == 0.0) return NO_PAST;
+    return found;
+}
+
+/// The same of the nine around a place: whichever showed the surface.
+float add_nine(inout Past past, Then then, vec2 corner) {
+    const ivec2 nearest = ivec2(floor(corner + 0.5));
+    float sum = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        const ivec2 at = nearest + ivec2(i % 3 - 1, i / 3 - 1);
+        if (!inside_last(at)) continue;
+        const uint index = last_index(at);
+        if (!shows_same(index, at, then)) continue;
+        add_past(past, index, 1.0);
+        sum += 1.0;
     }
+    return sum;
+}
+
+const float LEAST_SUM = 0.05; // of the weights of four, below which they say too little
+
+Past find_past(PrimaryHit hit, FilterSurface surface) {
+    Past past = NO_PAST;
+    if ((frame.filter_flags & FILTER_HISTORY) == 0u) return past;
+    const Then then = point_before(hit, surface);
+    vec2 place;
+    if (!project_last(then.offset, place)) return past;
+    // A pixel's past is of all points that camera rays passed through. So without motion it is the pixel's own, and is not resampled in each frame.
+    const vec2 corner = place - turn.pixel_point, within = fract(corner);
+    float sum;
+    const int found = add_four(past, then, corner, sum);
+    // Edges and thin things: where this point was seen, or whichever pixel around showed the surface.
+    if (sum < LEAST_SUM) {
+        past = NO_PAST;
+        add_four(past, then, place - turn.last_pixel_point, sum);
+    }
+    if (sum < LEAST_SUM) {
+        past = NO_PAST;
+        sum = add_nine(past, then, corner);
+    }
+    if (sum == 0.0) return NO_PAST;
     past.direct /= sum;
     past.indirect /= sum;
     past.second_moments /= sum;
     past.frames = valid_frames(past.frames / sum, hit, then);
-    if (found == 4 && any(greaterThan(abs(within - round(within)), vec2(0.01)))) sharpen_past(past, then, first, within);
+    if (found == 4 && any(greaterThan(abs(within - round(within)), vec2(0.01)))) sharpen_past(past, then, ivec2(floor(corner)), within);
     return past;
 }
 

@@ -469,6 +469,9 @@ FAULTS = [
     Fault("passes beyond the third leave all pixels alone", "shaders/filter/filter_atrous.comp",
           "filter_step >= STEPS_FOR_ALL && is_calm(middle)", "filter_step >= STEPS_FOR_ALL", FILTER,
           "Filter.SurfacesThatComeIntoViewHaveNoSpeckles"),
+    Fault("a still picture's past moves with the point in the pixel", "shaders/filter/past.glsl",
+          "const vec2 corner = place - turn.pixel_point, within", "const vec2 corner = place - turn.last_pixel_point, within", FILTER,
+          "Filter.APictureThatStandsStillGainsNoContrast"),
     Fault("paint forgets as fast as a mirror while the camera moves", "shaders/filter/past.glsl",
           "max(share * turned, 1e-6)", "max(turned, 1e-6)", FILTER, "Filter.PaintKeepsItsPastWhileTheCameraMoves"),
 
