@@ -184,7 +184,6 @@ TEST_F(Filter, HalfOfTheIndirectLightHasTheMeanOfAll) {
     set("flt_firefly", "0"); // which takes light away
     set("flt_taa", "0");     // which leaves some frames out
     set("flt_history", "1000");
-    set("pt_jitter", "1");
     const auto sums_at = [&](const char* rate) {
         set("pt_indirect_rate", rate);
         Sums sums;
@@ -388,7 +387,6 @@ TEST_F(Filter, StaysFiniteWhateverComes) {
     set("flt_history", "1");
     is_fine("a history of one frame");
     set("flt_history", "1000");
-    set("pt_jitter", "1");
     is_fine("a long history");
     for (const char* steps : {"0", "1", "6"}) {
         set("flt_atrous", steps);
