@@ -1,13 +1,14 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pass `filter_atrous`: one step of an edge-avoiding wavelet filter (Dammertz et al. 2010) whose tolerance for differences in brightness is what
-// noise explains (Schied et al. 2017, section 4.3). It runs several times, over pixels each twice as far apart.
+// noise explains (Schied et al. 2017, section 4.3). It runs several times, over pixels filter_stride apart: each time twice as far, and at last over those
+// beside again, or a grid as wide as the strides would show.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "filter/filter.glsl"
 
-const uint STEPS_FOR_ALL = 3u; // later ones leave calm pixels alone
-const float ALONE = 1.0;       // sum of the weights around, of 12, below which a pixel has no surface in common with any other
+const uint FAR = 8u;     // pixels apart, from which on calm pixels are left alone
+const float ALONE = 1.0; // sum of the weights around, of 12, below which a pixel has no surface in common with any other
 
 float kernel_weight(ivec2 step) { return (step.x == 0 ? 2.0 : 1.0) * (step.y == 0 ? 2.0 : 1.0); }
 
@@ -51,8 +52,8 @@ Light2 light_around(ivec2 pixel, uint source, Light2 middle) {
     return Light2(sum.direct / weights.x, sum.indirect / weights.y, middle.deviation);
 }
 
-/// Standard deviations that a neighbour's brightness may be off: flt_sigma in the first two steps, then half of the step before, or shadows would be lost.
-float tolerance() { return frame.settings.flt_sigma * exp2(-max(float(filter_step) - 1.0, 0.0)); }
+/// Standard deviations that a neighbour's brightness may be off: flt_sigma up to two pixels away, half as many at twice as far, or shadows would be lost.
+float tolerance() { return frame.settings.flt_sigma * min(2.0 / float(filter_stride), 1.0); }
 
 /// Whether the noise that is left in a pixel may stay.
 bool is_calm(Light2 light) { return length(light.deviation) <= frame.settings.flt_noise * luminance(light.direct + light.indirect); }
@@ -66,7 +67,7 @@ void main() {
     const FilterSurface surface = load_surface(this_half() + index);
     const uvec4 packed = load_packed_light(source + index);
     const Light2 middle = unpack_light(packed);
-    if (surface.depth == 0.0 || filter_step >= STEPS_FOR_ALL && is_calm(middle)) {
+    if (surface.depth == 0.0 || filter_stride >= FAR && is_calm(middle)) {
         filter_light[target + index] = packed;
         return;
     }
@@ -74,7 +75,7 @@ void main() {
     const vec3 normal = facing.xyz;
     const vec2 bright = luminances(middle.direct, middle.indirect);
     const vec2 variance = smooth_variance(pixel, source, middle.deviation);
-    const int stride = 1 << filter_step;
+    const int stride = int(filter_stride);
     // Distance from the surface's plane, in widths of the step: depths times the rays' parts along the normal.
     const float along = dot(camera_ray(vec2(pixel) + turn.pixel_point), normal);
     const vec2 along_step = 2.0 * float(stride) / vec2(frame.size) * vec2(dot(frame.camera_right, normal), -dot(frame.camera_up, normal));

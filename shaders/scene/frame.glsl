@@ -37,6 +37,7 @@ layout(push_constant, scalar) uniform PushBlock {
     uint samples_lights;
     uint guided;
     uint filter_step;
+    uint filter_stride;
     uint indirect_turn;
     FrameTurn turn;
 };

@@ -62,6 +62,7 @@ struct PassConstants {
     uint samples_lights; // 1: lights are sampled, so that flags of primary hits say what became of it
     uint guided;         // 1: the octree and its light caches are this frame's; 0: set 2 must not be read
     uint filter_step;    // of the passes of the filter: how many steps over neighbours came before
+    uint filter_stride;  // of such a step: pixels between those that it joins
     uint indirect_turn;  // whose turn it is to trace indirect light: shared/indirect_turn.h
     FrameTurn turn;
 };

@@ -163,11 +163,11 @@
     GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \
         "Denoiser: Most frames that light is averaged over.") \
     INTEGER(flt_atrous, Session, Picture, 5, 0, 6, \
-        "Denoiser: Passes over neighbouring pixels. Each looks twice as far as the one before. 0: Light is averaged over time alone.") \
+        "Denoiser: Passes over neighbouring pixels. Each looks twice as far as the one before, the last at those beside. 0: Light is averaged over time alone.") \
     GPU_REAL(flt_noise, Session, Picture, 0.1, 0.0, 1e6, \
-        "Denoiser: Noise, in parts of a pixel's brightness, that the first three passes may leave. The rest work where more is left.") \
+        "Denoiser: Noise, in parts of a pixel's brightness, below which passes that look 8 pixels away or farther leave it alone.") \
     GPU_REAL(flt_sigma, Session, Picture, 4.0, 0.0, 1000.0, \
-        "Denoiser: A neighbour whose brightness differs by this many standard deviations counts 1/e as much. Each pass from the third on halves the number.") \
+        "Denoiser: A neighbour whose brightness differs by this many standard deviations counts 1/e as much. From 4 pixels away on, each pass halves the number.") \
     GPU_REAL(flt_firefly, Session, Picture, 8.0, 0.0, 1e6, \
         "Denoiser: Highest brightness of a sample, in standard deviations above what was seen there before. 0: any.") \
     INTEGER(flt_antilag, Session, Picture, 1, 0, 1, \

@@ -174,6 +174,7 @@ void Filter::record(gpu::FrameCommands& commands, std::span<const PictureSide> s
                                  gpu::WorkGroups groups) {
         FrameBuffers::SideInputs inputs = buffers_.side(sides, side, paths, paths);
         inputs.push.filter_step = static_cast<uint32_t>(step);
+        inputs.push.filter_stride = step + 1 < steps_ ? 1u << step : 1u;
         const std::array<VkDescriptorSet, 2> sets{inputs.sets[0], set_.handle()};
         pass.record(commands, {sets, gpu::bytes_of_value(inputs.push)}, groups);
     };

@@ -146,7 +146,7 @@ FrameBuffers::SideInputs FrameBuffers::side(std::span<const PictureSide> sides, 
     const PictureSide& chosen = sides[side];
     return {{scene_set_.handle(), technique_sets_[side].handle(), chosen.guiding},
             {path, paths, chosen.first_column, chosen.end_column, chosen.samples_lights ? 1u : 0u,
-             chosen.guided ? 1u : 0u, 0u, chosen.indirect_turn, turn_}};
+             chosen.guided ? 1u : 0u, 0u, 0u, chosen.indirect_turn, turn_}};
 }
 
 } // namespace vigil::vkpt
