@@ -83,7 +83,7 @@
         "lh: Children of a node. Up to 4 of them take 64 bytes, more take 128.") \
     INTEGER(pt_lh_leaf, Session, Reference, 2, 1, 16, \
         "lh: Most lights in a leaf. Each of them is weighted by itself.") \
-    INTEGER(pt_cut_size, Session, Reference, 24, 1, 256, \
+    INTEGER(pt_cut_size, Session, Reference, 16, 1, 256, \
         "cut: Most entries of a PVS cluster's light cut, also those of vlc. A draw weights all of them.") \
     INTEGER(pt_oct_split, Session, Reference, 4096, 1, 2147483647, \
         "Octree: A leaf with more surface samples than this is split. The number is for 1920 x 1080.") \

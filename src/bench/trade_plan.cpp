@@ -38,7 +38,7 @@ const std::vector<Sweep>& sweeps() {
         {"pt_ris_candidates", "ris", {"8", "16", "64"}},
         {"pt_lh_width", "lh", {"2", "4"}},
         {"pt_lh_leaf", "lh", {"1", "4"}},
-        {"pt_cut_size", "cut", {"8", "16", "48"}},
+        {"pt_cut_size", "cut", {"8", "24", "48"}},
         // What the paper calls threshold; nodes collapse at half of it.
         {"pt_oct_split", "vlc", {"256", "512", "1024", "2048", "8192"}, "pt_oct_collapse", 0.5},
         {"pt_vlc_bucket", "vlc", {"8", "16", "64"}},

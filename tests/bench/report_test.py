@@ -260,6 +260,13 @@ class Defaults(unittest.TestCase):
         self.assertIn("pt_made_up=2 is better than the default", faults)
         self.assertEqual(code, 1)
 
+    def test_what_is_better_may_be_the_default_since(self):
+        rows = [row(f"pt_cut_size={defaults.defaults()['pt_cut_size']}", product=0.8, p=0.001)]
+        trade = report("trade", {"hall pt_cut_size": rows})
+        text, faults, code = self.page(trade, self.confirm(*rows, name="pt_cut_size"))
+        self.assertIn("is the default since then", text)
+        self.assertEqual((faults, code), ("", 0))
+
     def test_better_here_and_worse_there_is_not_better(self):
         levels = {"hall pt_made_up": [row("pt_made_up=2", product=0.5, p=0.001)],
                   "cave pt_made_up": [row("pt_made_up=2", product=1.4, p=0.001)]}
@@ -291,6 +298,12 @@ class Defaults(unittest.TestCase):
             committed = Path(folder) / "trade.md"
             committed.write_text(text)
             self.assertEqual(self.page(self.trade, arguments=["--check", str(committed)]), ("", "", 0))
+            # What a reason asks of other variables is not on the page.
+            rows = [row("pt_sll_max=64", product=0.8, p=0.001)]
+            again = [report("trade", {"hall pt_sll_max": rows}), self.confirm(*rows, name="pt_sll_max")]
+            committed.write_text(self.page(*again)[0])
+            self.assertEqual(self.page(*again, ["--check", str(committed)]), ("", "", 0))
+            committed.write_text(text)
             self.assertIn("| `2` |", text)
             for changed in (text.replace("| `2` |", "| `3` |"), text.replace(" = 0.8 ", " = 0.9 "), text + "\n"):
                 committed.write_text(changed)

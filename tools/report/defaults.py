@@ -201,7 +201,7 @@ class Page:
 
     def verdict(self, name):
         """What became of the values that look better than the default."""
-        said, reasons = [], []
+        said, reasons, today = [], [], defaults().get(name)
         for label in labels_of(self.trade, name):
             if not looks_better(rows_of(self.trade, name, label)):
                 continue
@@ -212,6 +212,8 @@ class Page:
                 self.faults.append(f"{label} looks better than the default and was not measured again")
             elif not is_better(again, name, marked_rows(self.again)):
                 said.append(f"{value} looked better; on fresh seeds that is not confirmed.")
+            elif label.split("=")[1] == today:
+                said.append(f"{value} is better on fresh seeds too, and is the default since then.")
             elif name not in REASONS:
                 said.append(f"{value} is better than the default on fresh seeds too.")
                 self.faults.append(f"{label} is better than the default: change it, or say in REASONS why not")
@@ -279,7 +281,7 @@ def main(arguments):
     if "--check" in given:
         committed = Path(given["--check"]).read_text()
         with contextlib.redirect_stdout(io.StringIO()) as written:
-            Page(trade, again, defaults_of_page(committed), []).write()
+            Page(trade, again, defaults() | defaults_of_page(committed), []).write()
         sys.exit(0 if written.getvalue() == committed else f"{given['--check']}: is not the page of {' and '.join(paths)}")
     page = Page(trade, again, defaults(given.get("--cvars", CVARS)), [])
     page.write()
