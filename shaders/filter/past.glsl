@@ -162,7 +162,10 @@ Past find_past(PrimaryHit hit, FilterSurface surface) {
     past.indirect /= sum;
     past.second_moments /= sum;
     past.frames = valid_frames(past.frames / sum, hit, then);
-    if (found == 4 && any(greaterThan(abs(within - round(within)), vec2(0.01)))) sharpen_past(past, then, ivec2(floor(corner)), within);
+    if (all(lessThan(abs(within - round(within)), vec2(0.01)))) return past;
+    // Each frame of a moving picture resamples the one before, and edges of direct light grow softer by it.
+    past.frames.x = min(past.frames.x, float(frame.settings.flt_history_moving));
+    if (found == 4) sharpen_past(past, then, ivec2(floor(corner)), within);
     return past;
 }
 

@@ -162,6 +162,8 @@
         "Denoiser: Frames that are traced unseen before the first picture of a level, so that it is calm. Timed demos have none.") \
     GPU_INTEGER(flt_history, Session, Picture, 32, 1, 1000, \
         "Denoiser: Most frames that light is averaged over.") \
+    GPU_INTEGER(flt_history_moving, Session, Picture, 6, 1, 1000, \
+        "Denoiser: The same for direct light of pixels that move in the picture.") \
     INTEGER(flt_atrous, Session, Picture, 5, 0, 6, \
         "Denoiser: Passes over neighbouring pixels. Each looks twice as far as the one before, the last at those beside. 0: Light is averaged over time alone.") \
     GPU_REAL(flt_noise, Session, Picture, 0.1, 0.0, 1e6, \

@@ -475,6 +475,8 @@ FAULTS = [
     Fault("a still picture's past moves with the point in the pixel", "shaders/filter/past.glsl",
           "const vec2 corner = place - turn.pixel_point, within", "const vec2 corner = place - turn.last_pixel_point, within", FILTER,
           "Filter.APictureThatStandsStillGainsNoContrast"),
+    Fault("direct light of pixels that move keeps its long past", "shaders/filter/past.glsl",
+          "float(frame.settings.flt_history_moving)", "FILTER_MAX", FILTER, "Filter.FollowsACameraThatMoves"),
     Fault("paint forgets as fast as a mirror while the camera moves", "shaders/filter/past.glsl",
           "max(share * turned, 1e-6)", "max(turned, 1e-6)", FILTER, "Filter.PaintKeepsItsPastWhileTheCameraMoves"),
 
