@@ -180,7 +180,8 @@ def is_better(rows, name, marked):
 class Page:
     trade: dict
     again: dict  # the report of confirm; None: there is none
-    values: dict  # defaults
+    values: dict  # defaults at the reports' commit
+    now: dict  # today's
     faults: list
 
     def lines(self, name, show):
@@ -201,7 +202,7 @@ class Page:
 
     def verdict(self, name):
         """What became of the values that look better than the default."""
-        said, reasons, today = [], [], defaults().get(name)
+        said, reasons, today = [], [], self.now.get(name)
         for label in labels_of(self.trade, name):
             if not looks_better(rows_of(self.trade, name, label)):
                 continue
@@ -235,8 +236,8 @@ class Page:
                                  first_seed=part["first_seed"], differ=differ)
         shown = levels_of(self.trade)
         left_out = [f"`{level}`" for level in dict.fromkeys(part["level"] for part in self.trade["parts"]) if level not in shown]
-        now = defaults()
-        changed = [f"`{name}` is {now[name]} today" for name in names_of(self.trade) if now.get(name, "?") != self.values.get(name, "?")]
+        changed = [f"`{name}` is {self.now[name]} today" for name in names_of(self.trade)
+                   if self.now.get(name, "?") != self.values.get(name, "?")]
         print(HEAD.format(since=f" Its defaults are those of that commit: {', '.join(changed)}." if changed else "", without=WITHOUT.format(levels=", ".join(left_out)) if left_out else "",
                           device=self.trade["device"], width=self.trade["width"], height=self.trade["height"], views=len(first["views"]),
                           seeds=self.trade["seeds"], commit=self.trade["commit"],
@@ -278,12 +279,13 @@ def main(arguments):
         sys.exit(f"{paths[1]}: confirms values of another report than {paths[0]}")
     if again and again["commit"] != trade["commit"] and not may_differ:
         sys.exit(f"{paths[1]}: of commit {again['commit']}, {paths[0]} of {trade['commit']}; see --commits-differ")
+    now = defaults()
     if "--check" in given:
         committed = Path(given["--check"]).read_text()
         with contextlib.redirect_stdout(io.StringIO()) as written:
-            Page(trade, again, defaults() | defaults_of_page(committed), []).write()
+            Page(trade, again, now | defaults_of_page(committed), now, []).write()
         sys.exit(0 if written.getvalue() == committed else f"{given['--check']}: is not the page of {' and '.join(paths)}")
-    page = Page(trade, again, defaults(given.get("--cvars", CVARS)), [])
+    page = Page(trade, again, defaults(given.get("--cvars", CVARS)), now, [])
     page.write()
     for fault in page.faults:
         print(fault, file=sys.stderr)
