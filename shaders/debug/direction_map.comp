@@ -25,7 +25,7 @@ vec3 arriving_radiance(Surface surface, vec3 direction, inout Random random) {
         const bool lit = depth < bounces;
         const RayEnd end =
             follow_ray(surface, ray, guided.brdf_pdf, lit, uint(depth + 1), lit && (depth + 1 < bounces || rays_find_light()), random);
-        gathered += throughput * end.taught;
+        gathered += throughput * (depth + 1 == bounces ? end.taught + end.tail : end.taught);
         vec3 weight;
         if (!end.goes_on || !scatter(end.surface, random, weight, ray, guided)) break;
         throughput *= weight;

@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pass `guide_adapt`: one work group per old node whose leaves sent rays. Its guider learns from them, and how large a
-// part of the rays it should draw. Compiled once per guider.
+// Pass `guide_adapt`: one work group per old node whose leaves sent rays. Its guider learns from them, how large a
+// part of the rays it should draw, and with pt_tail how much light they bring. Compiled once per guider.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/extensions.glsl"
 #include "guiding/passes.glsl"
@@ -78,10 +78,28 @@ void learn_share(uint node, uint rays) {
     old_leaves[words + 1u] = memory.y;
 }
 
+/// What the surfaces of a node with `rays` > 0 rays reflect of indirect light.
+void learn_tail(uint node, uint rays) {
+    float sum = 0.0;
+    const NodeRays own = rays_of(node, rays);
+    for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) sum += sqrt(unpack_sum(ray_samples[ray_word(own, i) + 1u], 0u));
+    sum = group_sum(vec4(sum, 0.0, 0.0, 0.0)).x;
+    if (gl_LocalInvocationID.x != 0u) return;
+    // Those without room count as those that are stored.
+    const vec2 counts = vec2(old_node_rays(node));
+    if (own.count == 0u && counts.x > 0.0) return;
+    const float mean = sum / float(max(own.count, 1u)) * counts.x / (counts.x + counts.y);
+    const uint words = node_word(NODE_TAIL, node);
+    const uvec2 memory = tail_pack(tail_update(tail_unpack(uvec2(old_leaves[words], old_leaves[words + 1u])), float(rays), mean));
+    old_leaves[words] = memory.x;
+    old_leaves[words + 1u] = memory.y;
+}
+
 void main() {
     const uint node = lists[guide_entry(gl_WorkGroupID.x)];
     const uint rays = stored_rays(node) + old_node_rays(node).y;
     if (rays == 0u) return;
     guide_learn(node, rays);
     if (settings.adapt_share != 0u) learn_share(node, rays);
+    if (settings.tail != 0u) learn_tail(node, rays);
 }

@@ -88,6 +88,11 @@ ShareMemory load_share(uint node) {
     return share_unpack(uvec2(load_word(leaf_words, first), load_word(leaf_words, first + 1u)));
 }
 
+TailMemory load_tail(uint leaf) {
+    const uint first = node_word(NODE_TAIL, octree_node_of(leaf));
+    return tail_unpack(uvec2(load_word(leaf_words, first), load_word(leaf_words, first + 1u)));
+}
+
 /// What a node's guider draws by.
 uvec4 load_guide(uint node) {
     const uint first = node_word(NODE_GUIDE, node);

@@ -83,6 +83,9 @@ void make_guide(uint node) {
     carry(guide_memory(settings.memory_words), node, source);
     const ShareMemory share = load_share(source);
     store(node_word(NODE_SHARE, node), share_pack(split ? share_of_part(share) : share));
+    const uint tail = node_word(NODE_TAIL, source);
+    const uvec2 memory = uvec2(old_leaves[tail], old_leaves[tail + 1u]);
+    store(node_word(NODE_TAIL, node), split ? tail_pack(tail_of_part(tail_unpack(memory))) : memory);
     store(node_word(NODE_RAYS, node), uvec2(0u));
     const uint rays = expected_rays(source);
     const uint room = room_for(split ? demand_of_part(rays) : rays, work.ray_demand, header.ray_capacity, new_node_count);

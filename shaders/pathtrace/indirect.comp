@@ -21,6 +21,14 @@ void learn_direction(Guided guided, float brought) {
     else count_blank_ray(guided.leaf);
 }
 
+/// Part of the paths that send one more ray than pt_bounces, only to learn what tails bring where paths end: places that the camera has not seen.
+const float TAIL_LEARNERS = 0.125;
+
+/// Whether a path of `bounces` does. Whole subgroups do, as with light samples.
+bool learns_tail(int bounces) {
+    return has_tail() && path_index == 0u && guiding.stores != 0u && subgroup_number(uint(bounces + 1)) < TAIL_LEARNERS;
+}
+
 /// `light` is what was drawn where the first ray ended.
 vec3 trace_path(Surface surface, inout Random random, out uint light) {
     light = NONE;
@@ -31,8 +39,9 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
     float first_brought = 0.0;
     bool sent = false;
     const int bounces = frame.settings.pt_bounces;
-    for (int depth = 0; depth <= bounces; ++depth) {
-        if (depth == bounces && !rays_find_light()) break;
+    const int lit_ends = learns_tail(bounces) ? bounces + 1 : bounces;
+    for (int depth = 0; depth <= lit_ends; ++depth) {
+        if (depth == lit_ends && !rays_find_light()) break;
         // Send a ray, see what is there, and light it.
         Ray ray;
         vec3 weight;
@@ -42,19 +51,22 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
             break;
         }
         throughput *= weight;
-        const bool lit = depth < bounces;
+        const bool lit = depth < lit_ends;
         const RayEnd end =
             follow_ray(surface, ray, guided.brdf_pdf, lit, uint(depth + 1), lit && (depth + 1 < bounces || rays_find_light()), random);
-        gathered += throughput * end.brought;
+        // The tail is in the place of further rays. What is sent only to learn brings nothing.
+        const vec3 tail = depth + 1 == bounces ? end.tail : vec3(0.0);
+        const bool counts = depth < bounces || lit_ends == bounces;
+        if (counts) gathered += throughput * (end.brought + tail);
         // Learn from it.
         if (depth == 0) {
             first = guided;
             sent = true;
             light = end.light;
         } else {
-            learn_direction(guided, luminance(weight * end.taught));
+            learn_direction(guided, luminance(weight * (end.taught + end.tail)));
         }
-        first_brought += luminance(throughput * end.taught);
+        if (counts) first_brought += luminance(throughput * (end.taught + tail));
         if (!end.goes_on) break;
         surface = end.surface;
     }

@@ -18,6 +18,9 @@ bool samples_environment() { return HAS_ENVIRONMENT && LIGHTS_FOUND_BY_RAYS == 0
 /// Whether there is anything for a ray to bring from where nothing is lit.
 bool rays_find_light() { return LIGHTS_FOUND_BY_RAYS != 0 || (HAS_SKY && !HAS_ENVIRONMENT); }
 
+/// Whether paths bring the light of bounces beyond their last one. Where rays find light, the last one does not end at a surface that is lit.
+bool has_tail() { return GUIDES != 0 && frame.settings.pt_tail != 0 && frame.settings.pt_bounces > 0 && !rays_find_light(); }
+
 /// A ray's part in what its surface's leaf learns about directions.
 struct Guided {
     uint leaf;      // that stores it
@@ -123,10 +126,27 @@ bool scatter(Surface surface, inout Random random, out vec3 weight, out Ray ray,
     return max(weight.x, max(weight.y, weight.z)) > 0.0;
 }
 
+/// Reflected light counts as no more than this of what arrives: a closed white room would grow brighter for ever.
+const float TAIL_LARGEST_ALBEDO = 0.98;
+
+TailMemory find_tail(Surface surface) { return load_tail(find_leaves(surface.position, previous_position(surface)).cache); }
+
+/// With pt_tail, the radiance of all further bounces at a surface: its node's mean, in the surface's colour. Where no ray has been, light is as at
+/// the surface `before` on the path: of rays that only learn, many end where no others do.
+vec3 tail_radiance(Surface surface, Surface before) {
+    const vec3 color = surface.brdf.albedo + surface.brdf.f0;
+    const float brightness = luminance(color);
+    if (!(brightness > 0.0)) return vec3(0.0);
+    TailMemory memory = find_tail(surface);
+    if (!(memory.rays > 0.0)) memory = find_tail(before);
+    return finite_or_zero(memory.mean * min(1.0, TAIL_LARGEST_ALBEDO / brightness) / brightness * color);
+}
+
 /// Where a ray ended.
 struct RayEnd {
     vec3 brought; // radiance along the ray, towards its origin: without what further rays find
     vec3 taught;  // the part of it that no light sample draws
+    vec3 tail;    // what further rays would find, if that is known (pt_tail)
     uint light;   // that was drawn there, or NONE
     bool goes_on; // a further ray may be sent from `surface`, which is not set otherwise
     Surface surface;
@@ -138,6 +158,7 @@ RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, uint ver
     RayEnd end;
     end.brought = vec3(0.0);
     end.taught = vec3(0.0);
+    end.tail = vec3(0.0);
     end.light = NONE;
     end.goes_on = false;
     Hit hit;
@@ -154,6 +175,7 @@ RayEnd follow_ray(Surface surface, Ray ray, float brdf_pdf, bool light, uint ver
         end.light = direct.light;
         end.taught = end.brought;
     }
+    if (has_tail()) end.tail = tail_radiance(end.surface, surface);
     return end;
 }
 

@@ -70,8 +70,9 @@ SHADER_CONST NodeArray NODE_GUIDE = NodeArray(0u, 4u);       // what rays are dr
 SHADER_CONST NodeArray NODE_SHARE = NodeArray(4u, 2u);       // ShareMemory
 SHADER_CONST NodeArray NODE_RAYS = NodeArray(6u, 2u);        // rays of its leaves: those that brought something, and the others
 SHADER_CONST NodeArray NODE_RAY_STORAGE = NodeArray(8u, 2u); // first ray sample, room for how many
+SHADER_CONST NodeArray NODE_TAIL = NodeArray(10u, 2u);       // TailMemory
 /// Words of a node, but for what the guider remembers beyond them.
-SHADER_CONST uint NODE_WORDS = 10u;
+SHADER_CONST uint NODE_WORDS = 12u;
 SHADER_FN NodeArray guide_memory(uint words) { return NodeArray(NODE_WORDS, words); }
 
 /// With the number of an old leaf, where a new node or leaf comes from: the old leaf was split.
@@ -297,6 +298,41 @@ SHADER_FN ShareMemory share_update(ShareMemory memory, float guide_kept, float r
     return memory;
 }
 
+/// The indirect light that surfaces of a node reflect, as its rays estimate it: with pt_tail what a path brings beyond its last vertex, if that
+/// lies there. Those rays' ends have tails, too. So every frame that is learned from adds a bounce, and the mean is that of all of them.
+struct TailMemory {
+    float mean; // luminance
+    float rays; // that it is of
+};
+/// Rays that are remembered: a mean moves as a path's noise must not.
+SHADER_CONST float TAIL_RAYS = 2048.0f;
+/// Part of earlier rays that is kept where there are few new ones, at most: light that changes must be forgotten there, too.
+SHADER_CONST float TAIL_KEPT = 0.9f;
+/// Rays of its source that a part of a split leaf counts its mean as.
+SHADER_CONST float TAIL_DOUBT = 32.0f;
+
+SHADER_FN TailMemory tail_unpack(uvec2 words) {
+    TailMemory memory;
+    memory.mean = uintBitsToFloat(words.x);
+    memory.rays = uintBitsToFloat(words.y);
+    return memory;
+}
+
+SHADER_FN uvec2 tail_pack(TailMemory memory) { return uvec2(floatBitsToUint(memory.mean), floatBitsToUint(memory.rays)); }
+
+/// The memory after a frame with `rays` > 0 rays, whose estimates have the mean `mean`.
+SHADER_FN TailMemory tail_update(TailMemory memory, float rays, float mean) {
+    const float kept = memory.rays * clamp(1.0f - rays / TAIL_RAYS, 0.0f, TAIL_KEPT);
+    memory.rays = kept + rays;
+    memory.mean = min(weighted(memory.mean, mean, rays / memory.rays), EXPLORE_LARGEST_SUM);
+    return memory;
+}
+
+SHADER_FN TailMemory tail_of_part(TailMemory memory) {
+    memory.rays = min(memory.rays, TAIL_DOUBT);
+    return memory;
+}
+
 /// The first word of a ray sample: the cell of its direction on the grid of the smallest quadtree leaves,
 /// and what it contributed, in quarters of a power of two from 2^-31.75 to 2^31.75: off by 9.1% at most in
 /// between, 0 below, and cut off beyond. It decides where to look, never how bright anything is. The second word
@@ -357,6 +393,7 @@ struct GuidingSettings {
     float first_share; // of guided rays, where nothing is known
     uint adapt_share;  // 1: their share follows what rays estimated
     uint memory_words; // of the guider, per node; 0 without memory
+    uint tail;         // 1: nodes learn what rays bring to them
     uint unguided;     // 1: the frame had no rays to learn from
 };
 

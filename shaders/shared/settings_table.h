@@ -65,8 +65,10 @@
         "N above 0: The surfaces of the next level are cut into 4^N times as many triangles. It measures what triangles cost.") \
     GPU_INTEGER(pt_seed, Session, Picture, 0, 0, 2147483647, \
         "Seed of all random numbers. The same seed gives the same picture.") \
-    GPU_INTEGER(pt_bounces, Session, Reference, 1, 0, 1, \
+    GPU_INTEGER(pt_bounces, Archived, Reference, 1, 0, 8, \
         "Number of indirect hits at which lights are sampled.") \
+    GPU_INTEGER(pt_tail, Archived, Reference, 0, 0, 1, \
+        "Guided rays: 1: Paths end with the light of all further bounces, a mean of what rays have found near there. The picture has a small bias. 0: They end without it.") \
     GPU_INTEGER(pt_light_points, Archived, Reference, 8, 1, 64, \
         "Points weighted on a chosen light. One of them gets the shadow ray. 1: as in the paper.") \
     GPU_CHOICE(pt_light_density, Archived, Reference, "auto", "auto|area|solid_angle", \

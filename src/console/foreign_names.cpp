@@ -85,7 +85,7 @@ constexpr ForeignName names[] = {
     {"pt_indirect_polygon_lights", "", "", all_lights},
     {"pt_light_stats", "pt_sll_stats", "0|1", "Only pt_nee sll has these statistics."},
     {"pt_metallic_override", "", "", no_materials},
-    {"pt_num_bounce_rays", "pt_bounces", "0|1", "There is one bounce at most."},
+    {"pt_num_bounce_rays", "pt_bounces", "up", "Its 0.5 is pt_indirect_rate half here."},
     {"pt_projection", "", "", "The picture is a perspective one."},
     {"pt_reflect_refract", "", "", no_refraction},
     {"pt_roughness_override", "", "", no_materials},
@@ -149,6 +149,7 @@ std::string converted_value(const ForeignName& foreign, std::string_view text) {
     float value = 0.0f;
     if (!parse_number(text, value)) fail("{}: \"{}\" is not a number", foreign.name, text);
     if (how == "exp2") return fmt::format("{:.6g}", std::exp2(value));
+    if (how == "up") return fmt::format("{:.6g}", std::ceil(value));
     if (how.starts_with('*')) {
         float factor = 1.0f;
         parse_number(how.substr(1), factor);
@@ -168,6 +169,8 @@ std::string describe_foreign_name(const ForeignName& foreign) {
         conversion = fmt::format(" 0 is {}, more is {}.", how.substr(0, bar), how.substr(bar + 1));
     else if (how == "exp2")
         conversion = " The value here is 2 to the power of it.";
+    else if (how == "up")
+        conversion = " The value here is the next whole number.";
     else if (how.starts_with('*'))
         conversion = fmt::format(" The value here is {} times it.", how.substr(1));
     return fmt::format("{} is an alias for {}, as Quake II RTX calls it.{} {}", foreign.name,

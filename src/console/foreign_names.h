@@ -14,7 +14,7 @@ struct ForeignName {
     std::string_view name;
     std::string_view target; ///< a variable or command here; empty: there is nothing like it
     /// How values convert: "same", "A|B" (0 is A, everything above it B), "*F" (times F), "exp2" (2
-    /// to the power of it). Empty for commands.
+    /// to the power of it), "up" (the next whole number). Empty for commands.
     std::string_view convert;
     /// What to know about it: a sentence, without the conversion's.
     std::string_view about;

@@ -33,7 +33,8 @@ constexpr Departure departures[] = {
     {"pt_cdq_adapt", "0"},        // section 7: half of the rays
     {"pt_guide_gain", "0"},       // all frames have guided rays
     {"pt_guide_directions", "1"}, // section 5.2: a ray is a draw from the mixture
-    {"pt_vlc_bucket", "32"},      // section 7; as the default
+    {"pt_tail", "0"},        // section 7: paths end where light is sampled last; as the default
+    {"pt_vlc_bucket", "32"}, // section 7; as the default
     {"pt_indirect_rate", "full"}, // section 7: one path per pixel; as the default
 };
 

@@ -325,7 +325,8 @@ TEST(Presets, PaperDepartsFromTheDefaultsAndOthersDoNot) {
         {"pt_cdq_rays", "0"},      {"pt_cdq_migrations", "1"},   {"pt_vlc_weigh", "0"},
         {"pt_vlc_bucket", "32"},   {"pt_indirect_rate", "full"}, {"pt_cdq_adapt", "0"},
         {"pt_rest_after", "0"},    {"pt_learn_every", "1"},      {"pt_vlc_enough", "0"},
-        {"pt_oct_start", "0"},     {"pt_guide_directions", "1"}, {"pt_guide_gain", "0"}};
+        {"pt_oct_start", "0"},     {"pt_guide_directions", "1"}, {"pt_guide_gain", "0"},
+        {"pt_tail", "0"}};
     std::map<std::string, std::string, std::less<>> set;
     for (const PresetSetting& setting : find_preset("paper")->settings)
         set.emplace(setting.variable, setting.value);

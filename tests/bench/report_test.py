@@ -18,6 +18,7 @@ import agreement
 import colors
 import defaults
 import economy_page
+import rivals
 import summary
 import tables
 
@@ -104,6 +105,38 @@ class Tables(unittest.TestCase):
             _, lines = tables.by_technique("", shown["parts"], tables.MEASURES[2][1])
             self.assertIn(text, lines[0][2])
         self.assertNotIn("**", lines[0][2])
+
+
+class Rivals(unittest.TestCase):
+    """Rows of four views with two seeds, the same in each."""
+
+    def row(self, label, error, time, **more):
+        def runs(value):
+            return {"by_view_and_seed": [[value, value]] * 4}
+
+        return {"label": label, "mse": runs(error), "trimmed_mse": runs(0.5 * error), "frame_ms": runs(time)} | more
+
+    def part(self, *rows):
+        return {"part": "x", "rows": list(rows)}
+
+    def test_the_best_one_has_the_least_error_times_time(self):
+        part = self.part(self.row("a", 3, 2), self.row("fast", 9, 0.5), self.row("exact", 1, 5), self.row("poor", 9, 2))
+        self.assertEqual(rivals.best_rival(part, "a", [], "mse"), ("fast", {"value": 6 / 4.5, "low": 6 / 4.5, "high": 6 / 4.5}))
+        self.assertEqual(rivals.best_rival(part, "a", ["exact", "poor"], "mse")[0], "exact")
+        head, lines = rivals.table([part, part], "a", [])
+        self.assertEqual(head, ["level", "best other", "Trimmed MSE", "best other", "MSE"])
+        self.assertEqual(lines[0], ["`x`", "`fast`", "1.33", "`fast`", "1.33"])
+        self.assertEqual(lines[2], ["geometric mean", "", "1.33", "", "1.33"])
+
+    def test_rows_that_miss_light_are_no_rivals(self):
+        part = self.part(self.row("a", 3, 1), self.row("blind", 1, 1, misses_light=True), self.row("b", 6, 1))
+        self.assertEqual(rivals.best_rival(part, "a", [], "mse")[0], "b")
+        self.assertIsNone(rivals.best_rival(part, "a", ["blind"], "mse"))
+        self.assertEqual(rivals.table([part], "a", ["blind"])[1][0], ["`x`", "", "?", "", "?"])
+
+    def test_unknown_rows_are_named(self):
+        with self.assertRaisesRegex(ValueError, "x: no row c"):
+            rivals.best_rival(self.part(self.row("a", 1, 1)), "a", ["c"], "mse")
 
 
 class Economy(unittest.TestCase):

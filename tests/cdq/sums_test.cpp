@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a leaf remembers of its quadtree's rays: how sums are stored, how much of them stays, and
-// how dense the BRDF's rays count.
+// What a node remembers of its rays: how sums are stored, how much of them stays, how dense the
+// BRDF's rays count, and the mean that tails bring.
 #include "shared/guiding_types.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +106,41 @@ TEST(GuideShare, PartsOfALeafKeepItAndForgetItsSums) {
     later = share_update(later, 0.5f, 256.0f, 0.0f, 1e-6f, 0.5f);
     EXPECT_GT(later.share, 0.7f);
     EXPECT_EQ(share_of(share_of_part(share_unpack(uvec2(0u))), 0.3f), 0.3f) << "nothing is known";
+}
+
+TEST(Tail, IsTheMeanOfWhatRaysBring) {
+    TailMemory memory = tail_unpack(uvec2(0u));
+    EXPECT_EQ(memory.mean, 0.0f);
+    memory = tail_update(memory, 100.0f, 4.0f);
+    EXPECT_EQ(memory.mean, 4.0f) << "nothing was known";
+    // A hundred rays beside a hundred of which a tenth is forgotten.
+    memory = tail_unpack(tail_pack(tail_update(memory, 100.0f, 8.0f)));
+    const float kept = TAIL_KEPT;
+    EXPECT_NEAR(memory.mean, (kept * 4.0f + 8.0f) / (kept + 1.0f), 1e-5f);
+    // More than is remembered: all of it is new.
+    EXPECT_NEAR(tail_update(memory, 2.0f * TAIL_RAYS, 1.0f).mean, 1.0f, 1e-6f);
+}
+
+TEST(Tail, ForgetsWhereThereAreFewRays) {
+    TailMemory memory = tail_update(tail_unpack(uvec2(0u)), 1e6f, 1.0f);
+    int frames = 0;
+    for (; memory.mean > 0.1f; ++frames)
+        memory = tail_update(memory, 8.0f, 0.0f);
+    EXPECT_LT(frames, 400) << "it takes as long to forget a million rays as TAIL_KEPT says";
+    TailMemory part = tail_of_part(tail_update(tail_unpack(uvec2(0u)), 1e6f, 1.0f));
+    EXPECT_EQ(part.mean, 1.0f);
+    part = tail_update(part, 96.0f, 0.0f);
+    EXPECT_LT(part.mean, 0.25f) << "a part of a leaf may be much darker";
+}
+
+TEST(Tail, StaysFinite) {
+    for (const float bright : {0.0f, 1e-38f, 1e15f, 3e38f}) {
+        TailMemory memory = tail_unpack(uvec2(0u));
+        for (int frame = 0; frame < 1000; ++frame) {
+            memory = tail_update(memory, 1.0f, bright);
+            ASSERT_TRUE(memory.mean >= 0.0f && memory.mean <= EXPLORE_LARGEST_SUM) << bright;
+        }
+    }
 }
 
 } // namespace

@@ -64,6 +64,8 @@ TEST_F(ForeignNameTest, ValuesConvert) {
     EXPECT_EQ(value("sun_brightness", "10"), "1");
     EXPECT_EQ(value("physical_sky_brightness", "-1"), "0.5");
     EXPECT_EQ(value("drs_enable", "1"), "60");
+    EXPECT_EQ(value("pt_num_bounce_rays", "0.5"), "1");
+    EXPECT_EQ(value("pt_num_bounce_rays", "2"), "2");
     EXPECT_THROW(value("profiler", "on"), Error);
     EXPECT_THROW(value("sun_brightness", ""), Error);
 }

@@ -95,7 +95,7 @@ TEST_F(Analytic, WhiteFurnaceByBruteForceIsExact) {
     load("furnace");
     const glm::dvec3 rho = texel("test/white"), emitted = 10.0 * rho;
     set("pt_nee", "brute");
-    for (const int bounces : {0, 1}) {
+    for (const int bounces : {0, 1, 2, 8}) {
         set("pt_bounces", std::to_string(bounces));
         set("pt_spp", "16");
         for (const glm::vec3 angles :
@@ -106,7 +106,9 @@ TEST_F(Analytic, WhiteFurnaceByBruteForceIsExact) {
             for (size_t i = 0; i < seen.size(); ++i) {
                 const double r = rho[static_cast<glm::length_t>(i % 3)],
                              e = emitted[static_cast<glm::length_t>(i % 3)];
-                const double expected = e * (1.0 + r + (bounces == 1 ? r * r : 0.0));
+                double expected = e;
+                for (int ray = 0; ray <= bounces; ++ray)
+                    expected = e + r * expected;
                 ASSERT_NEAR(static_cast<double>(seen[i]) / expected, 1.0, 1e-5)
                     << "value " << i << " bounces " << bounces;
             }
@@ -155,6 +157,50 @@ TEST_F(Analytic, WhiteFurnaceWhereRaysEnd) {
     set("pt_nee", "lh");
     set("pt_light_density", "solid_angle");
     judge_two_rays("lh", 64);
+}
+
+TEST_F(Analytic, TailsInAFurnaceAreAllBounces) {
+    // Every surface reflects the same, so a node's mean is that of each place in it. A white room
+    // must not grow brighter for ever.
+    set("pt_nee", "lh");
+    set("pt_light_density", "solid_angle");
+    set("pt_guide", "cdq");
+    set("pt_tail", "1");
+    set("pt_learn_every", "1");
+    set("pt_rest_after", "0");
+    struct Room {
+        const char* texture;
+        int bounces, frames_to_settle;
+        double least; // of what is expected
+    };
+    // A white room's light is that of fifty bounces, of which each takes some frames.
+    for (const Room& room : {Room{"test/white50", 1, 60, 0.995}, Room{"test/white50", 2, 60, 0.995},
+                             Room{"test/white", 1, 400, 0.3}}) {
+        SCOPED_TRACE(fmt::format("{}, {} bounces", room.texture, room.bounces));
+        load("furnace", [&](Level& level) {
+            for (BspTexInfo& info : level.bsp.texinfos)
+                info.texture = room.texture;
+        });
+        set("pt_bounces", std::to_string(room.bounces));
+        Shot shot;
+        shot.view = {{0, 0, 128}, {0, 0, 0}, 50};
+        for (int frame = 0; frame < room.frames_to_settle; ++frame)
+            renderer().render(shot.frame());
+        constexpr int frames = 64;
+        double sum = 0.0;
+        for (int frame = 0; frame < frames; ++frame) {
+            const std::vector<float> seen = radiance(shot).rgb;
+            EXPECT_TRUE(all_finite_nonnegative(seen));
+            sum += sum_of(seen) / static_cast<double>(seen.size());
+        }
+        // Of what arrives in a white room 0.98 goes on (TAIL_LARGEST_ALBEDO).
+        const double r = texel(room.texture).x, e = 10.0 * r;
+        double expected = e / (1.0 - std::min(r, 0.98));
+        for (int ray = 0; ray <= room.bounces; ++ray)
+            expected = e + r * expected;
+        EXPECT_GT(sum / frames / expected, room.least);
+        EXPECT_LT(sum / frames / expected, 1.005);
+    }
 }
 
 TEST_F(Analytic, SquareLampOverAFloor) {

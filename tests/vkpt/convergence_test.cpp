@@ -102,6 +102,7 @@ TEST_F(Convergence, DoorWithALampMoved) {
 
 TEST_F(Convergence, GuidedRays) {
     load("rooms");
+    set("pt_bounces", "2"); // guided at each hit
     expect_equal_means(view_at({290, 20, 96}, 5, 55), {.paths = 48}, "cdq");
 }
 

@@ -52,6 +52,8 @@ std::string foreign_section() {
                 fmt::format("0 is `{}`, more is `{}`", how.substr(0, bar), how.substr(bar + 1));
         else if (how == "exp2")
             values = "2 to the power of it";
+        else if (how == "up")
+            values = "rounded up";
         else if (how.starts_with('*'))
             values = fmt::format("times {}", how.substr(1));
         text +=

@@ -67,6 +67,7 @@ SOUND = part("sound", "tests/numerics/sound_test.cpp")
 LONG_RUNS = part("long_runs", "tests/numerics/time_test.cpp")
 CDQ_SAMPLING = part("cdq_sampling", "tests/cdq/sampling_test.cpp", "tests/cdq/quadtree.cpp",
                     "tests/cdq/sphere_cells.cpp")
+SUMS = part("sums", "tests/cdq/sums_test.cpp")
 QUADTREES = part("quadtrees", "tests/numerics/quadtrees_test.cpp", "tests/cdq/quadtree.cpp")
 OCTREE = part("octree", "tests/guiding/octree_maths_test.cpp", "tests/guiding/octree_oracle.cpp", computes=False)
 ESTIMATE = part("estimate", "tests/bench/quality_estimate_test.cpp", "tests/bench/trimmed_error_test.cpp",
@@ -317,7 +318,7 @@ FAULTS = [
           "return finite_or_zero(1.02 * luminance(brought) / octahedral_density(direction));",
           VIEWS, "DirectionsView.FurnaceIsEvenAboveTheHorizon"),
     Fault("what the map of directions gathers lacks 5%", "shaders/debug/direction_map.comp",
-          "        gathered += throughput * end.taught;", "        gathered += 0.95 * throughput * end.taught;",
+          "        gathered += throughput * (depth", "        gathered += 0.95 * throughput * (depth",
           VIEWS, "DirectionsView.MapHoldsWhatIndirectRaysBring"),
     Fault("a torch is 4% too bright", "src/refresh/vkpt/scene/scene.cpp",
           "add_model(*spot_model_, transform, spot.radiance,", "add_model(*spot_model_, transform, 1.04f * spot.radiance,",
@@ -418,6 +419,14 @@ FAULTS = [
     Fault("the throughput lacks 3% from the second ray on", "shaders/pathtrace/indirect.comp",
           "        throughput *= weight;", "        throughput *= depth == 0 ? weight : 0.97 * weight;",
           ANALYTIC, "Analytic.WhiteFurnaceByBruteForceIsExact"),
+    Fault("tails: what rays that only teach find counts, too", "shaders/pathtrace/indirect.comp",
+          "counts = depth < bounces || lit_ends == bounces;", "counts = true;", ANALYTIC, "Analytic.TailsInAFurnaceAreAllBounces"),
+    Fault("tails: they are 5% too bright", "shaders/pathtrace/indirect_ray.glsl",
+          "finite_or_zero(memory.mean *", "finite_or_zero(1.05 * memory.mean *", ANALYTIC, "Analytic.TailsInAFurnaceAreAllBounces"),
+    Fault("tails: rays that bring nothing are forgotten", "shaders/guiding/guide_adapt.comp",
+          "* counts.x / (counts.x + counts.y)", "", ANALYTIC, "Analytic.TailsInAFurnaceAreAllBounces"),
+    Fault("tails: a part of a leaf that is split believes the leaf's mean", "shaders/shared/guiding_types.h",
+          "memory.rays = min(memory.rays, TAIL_DOUBT);", "memory.rays = min(memory.rays, TAIL_RAYS);", SUMS, "Tail.*"),
     Fault("an even sky is 3% too bright", "shaders/pathtrace/sky.glsl",
           "    vec3 value = frame.sky_radiance;", "    vec3 value = 1.03 * frame.sky_radiance;",
           ANALYTIC, "Analytic.EvenSkyOverACourt"),

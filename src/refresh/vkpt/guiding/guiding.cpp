@@ -166,6 +166,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
     options.settings.memory_rays = static_cast<uint32_t>(settings.pt_cdq_rays);
     options.settings.first_share = 1.0f - settings.pt_cdq_brdf;
     options.settings.adapt_share = static_cast<uint32_t>(settings.pt_cdq_adapt);
+    options.settings.tail = options.guide.guides() ? static_cast<uint32_t>(settings.pt_tail) : 0;
     options.rest_after = static_cast<uint32_t>(settings.pt_rest_after);
     options.settings.weigh = static_cast<uint32_t>(settings.pt_vlc_weigh);
     options.settings.persist = static_cast<uint32_t>(settings.pt_vlc_persist);
@@ -202,6 +203,7 @@ bool Guiding::prepare(const Options& options) {
     // to have one.
     restart_ |= options_.settings.bucket != options.settings.bucket ||
                 options_.settings.adapt_share != options.settings.adapt_share ||
+                options_.settings.tail != options.settings.tail ||
                 options_.guide != options.guide || options_.settings.memory_words < memory;
     options_ = options;
     options_.settings.memory_words = memory;
@@ -317,7 +319,7 @@ void Guiding::upload_start(gpu::FrameCommands& commands, std::span<const glm::ve
         const std::vector<glm::uvec4> first(node_count, guider->first_words(options_.guide.size));
         begin(shader::NODE_GUIDE, gpu::bytes_of(first));
         for (const shader::NodeArray& array :
-             {shader::NODE_SHARE, shader::NODE_RAYS, shader::NODE_RAY_STORAGE,
+             {shader::NODE_SHARE, shader::NODE_RAYS, shader::NODE_RAY_STORAGE, shader::NODE_TAIL,
               shader::guide_memory(guider->memory_words())}) {
             const std::vector<uint32_t> zeros(node_count * array.words);
             begin(array, gpu::bytes_of(zeros));
@@ -420,6 +422,7 @@ bool Guiding::teaches() const {
 /// Whether guiders draw this frame's rays.
 bool Guiding::guides() const {
     if (options_.least_gain <= 0.0 || gain_ >= options_.least_gain) return true;
+    if (options_.settings.tail != 0) return true; // it is learned from guided rays
     if (frames_ < eager_frames || guiders_begin_) return true;
     return rests() ? teaches() : frames_ % guide_turn == 0;
 }
