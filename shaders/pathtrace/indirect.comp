@@ -23,11 +23,11 @@ void learn_direction(Guided guided, float brought) {
 
 /// Part of the paths that send one more ray than pt_bounces, only to learn what tails bring where paths end: places that the camera has not seen.
 const float TAIL_LEARNERS = 0.125;
+/// No vertex has this number: where that ray ends, light samples have theirs.
+const uint TAIL_NUMBER = 32u;
 
-/// Whether a path of `bounces` does. Whole subgroups do, as with light samples.
-bool learns_tail(int bounces) {
-    return has_tail() && path_index == 0u && guiding.stores != 0u && subgroup_number(uint(bounces + 1)) < TAIL_LEARNERS;
-}
+/// Whether a path does. Whole subgroups do, as with light samples.
+bool learns_tail() { return has_tail() && path_index == 0u && guiding.stores != 0u && subgroup_number(TAIL_NUMBER) < TAIL_LEARNERS; }
 
 /// `light` is what was drawn where the first ray ended.
 vec3 trace_path(Surface surface, inout Random random, out uint light) {
@@ -39,7 +39,7 @@ vec3 trace_path(Surface surface, inout Random random, out uint light) {
     float first_brought = 0.0;
     bool sent = false;
     const int bounces = frame.settings.pt_bounces;
-    const int lit_ends = learns_tail(bounces) ? bounces + 1 : bounces;
+    const int lit_ends = learns_tail() ? bounces + 1 : bounces;
     for (int depth = 0; depth <= lit_ends; ++depth) {
         if (depth == lit_ends && !rays_find_light()) break;
         // Send a ray, see what is there, and light it.

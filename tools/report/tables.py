@@ -152,6 +152,7 @@ def typical_quality(report):
         columns = zip(*([typical(row)["value"] for row in part["rows"]] for part in parts))
         means = [None if None in column else geometric_mean(column) for column in columns]
         yield head, [*lines, ["geometric mean", *map(number, means)]]
+    yield by_technique("Mean over the reference's", parts, lambda row: (None, {**row["mean_ratio"]["median"], "low": None}))
 
 
 def quality(report):
