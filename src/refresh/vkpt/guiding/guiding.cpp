@@ -29,12 +29,12 @@ static_assert(cache_words_per_leaf >= shader::VLC_LARGEST_BUCKET + shader::VLC_B
 /// A tree is expected to grow by no more from frame to frame. One of surfaces has four times the
 /// leaves with each level.
 constexpr double most_growth = 3.0;
-/// Light samples per pixel that there is room for. A frame without caches stores three, others
-/// two; the rest is for leaves that expect more than they get.
-constexpr uint64_t samples_per_pixel = 4;
-/// The same of ray samples: a frame of one bounce has one ray per pixel to learn from, and those
-/// that bring nothing store none.
-constexpr uint64_t rays_per_pixel = 1;
+/// Light samples of a pixel for each surface of its path that there is room for. A frame without
+/// caches stores one and a half, others one; the rest is for leaves that expect more than they get.
+constexpr uint64_t samples_per_surface = 2;
+/// The same of ray samples: each bounce has one ray to learn from, and those that bring nothing
+/// store none.
+constexpr uint64_t rays_per_bounce = 1;
 /// Beyond so many pixels there is room for three quarters: leaves have more samples than they need.
 constexpr uint64_t small_picture = 1 << 20;
 
@@ -154,6 +154,7 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
     const auto bucket = static_cast<uint32_t>(settings.pt_vlc_bucket);
     Options options;
     options.picture_size = picture_size;
+    options.bounces = static_cast<uint32_t>(std::max(settings.pt_bounces, 1));
     options.settings.split = scaled(settings.pt_oct_split, factor, 4);
     // A node must not collapse that would be split again at once.
     options.settings.collapse =
@@ -184,19 +185,20 @@ Guiding::Options Guiding::options(glm::uvec2 picture_size, Guide guide,
 }
 
 uint32_t Guiding::node_capacity(const Options& options) {
-    // Every node whose children are leaves holds `collapse` samples or vanishes; there are no more
-    // than two samples per pixel. As many again for the nodes above them. Trees have a quarter of
-    // that; beyond it leaves stay whole.
-    const uint64_t samples = uint64_t{2} * options.picture_size.x * options.picture_size.y;
+    // Every node whose children are leaves holds `collapse` samples or vanishes; there is no more
+    // than one per surface of a path. As many again for the nodes above them. Trees have a quarter
+    // of that; beyond it leaves stay whole.
+    const uint64_t samples =
+        uint64_t{1 + options.bounces} * options.picture_size.x * options.picture_size.y;
     const uint64_t nodes = 2 * samples / std::max(options.settings.collapse, 1u);
     return static_cast<uint32_t>(std::clamp<uint64_t>(nodes, least_nodes, most_nodes));
 }
 
 bool Guiding::prepare(const Options& options) {
-    const bool fits = header_.node_capacity == node_capacity(options) &&
-                      options_.picture_size == options.picture_size &&
-                      options_.guide.guide == options.guide.guide &&
-                      options_.lights == options.lights;
+    const bool fits =
+        header_.node_capacity == node_capacity(options) &&
+        options_.picture_size == options.picture_size && options_.bounces == options.bounces &&
+        options_.guide.guide == options.guide.guide && options_.lights == options.lights;
     const uint32_t memory = options.settings.memory_rays > 0 ? memory_words(options.guide) : 0;
     // What the frame before left must fit: buckets of the same size, what the same guider learned,
     // shares if they are to be learned, caches that were made in it, and a memory if the guider is
@@ -220,8 +222,9 @@ void Guiding::make_buffers() {
     const uint64_t pixels = uint64_t{options_.picture_size.x} * options_.picture_size.y;
     header_.node_capacity = node_capacity(options_);
     const uint64_t nodes = header_.node_capacity, leaves = 8 * nodes;
-    header_.sample_capacity = sample_capacity(pixels, samples_per_pixel, leaves);
-    header_.ray_capacity = sample_capacity(pixels, rays_per_pixel, nodes);
+    header_.sample_capacity =
+        sample_capacity(pixels, samples_per_surface * (1 + options_.bounces), leaves);
+    header_.ray_capacity = sample_capacity(pixels, rays_per_bounce * options_.bounces, nodes);
     header_.vlc_most = static_cast<uint32_t>(cache_words_per_leaf * (options_.lights ? leaves : 1));
     header_.vlc_capacity = header_.vlc_most / options_.first_cache_part;
     const auto make = [&](uint64_t words, const char* name) {

@@ -41,13 +41,14 @@ public:
         bool half_merged = false;      // neighbours take turns to be merged
         bool start_fine = true;        // the first octree follows `places`, or has one node
         double least_gain = 0.0;       // of guiders: part of the spread of rays that they take away
+        uint32_t bounces = 1;          // that paths may have; 1 also where they have none
     };
     /// Options from the settings, but for `lights`: that is for who traces the rays to say.
     /// pt_oct_split and pt_oct_collapse are thresholds at 1920 x 1080 pixels: they follow the
     /// number of pixels, and pt_oct_scale.
     static Options options(glm::uvec2 picture_size, Guide guide, const refresh::Settings& settings);
     /// Inner nodes that a tree has room for: they follow from the thresholds and the number of
-    /// surface samples.
+    /// surface samples, one for each surface of a path.
     static uint32_t node_capacity(const Options& options);
 
     /// Makes room, and has pipelines made: buffers depend on the options, not on the number of
