@@ -304,9 +304,9 @@ struct TailMemory {
     float mean; // luminance
     float rays; // that it is of
 };
-/// Rays that are remembered: a mean moves as a path's noise must not.
+/// Rays that are remembered: enough for a steady mean.
 SHADER_CONST float TAIL_RAYS = 2048.0f;
-/// Part of earlier rays that is kept where there are few new ones, at most: light that changes must be forgotten there, too.
+/// Part of earlier rays that is kept at most. Where there are few new ones, light that has changed must be forgotten, too.
 SHADER_CONST float TAIL_KEPT = 0.9f;
 /// Rays of its source that a part of a split leaf counts its mean as.
 SHADER_CONST float TAIL_DOUBT = 32.0f;
