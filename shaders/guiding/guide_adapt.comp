@@ -78,32 +78,21 @@ void learn_share(uint node, uint rays) {
     old_leaves[words + 1u] = memory.y;
 }
 
-/// What one of a node's rays estimated.
-float ray_estimate(NodeRays rays, uint i) { return sqrt(unpack_sum(ray_samples[ray_word(rays, i) + 1u], 0u)); }
-
-/// What the surfaces of a node with `rays` > 0 rays reflect of indirect light. One ray that brought far more than others would be seen in every path
-/// that ends there, for as long as it is remembered. So it counts as TAIL_BRIGHTEST times what rays bring: the mean that is known, or that of
-/// the roots, squared, on which few bright rays have little weight.
+/// What the surfaces of a node with `rays` > 0 rays reflect of indirect light.
 void learn_tail(uint node, uint rays) {
-    const uint words = node_word(NODE_TAIL, node);
-    const TailMemory memory = tail_unpack(uvec2(old_leaves[words], old_leaves[words + 1u]));
-    const NodeRays own = rays_of(node, rays);
-    const float count = float(max(own.count, 1u));
     float sum = 0.0;
-    for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) sum += sqrt(ray_estimate(own, i));
-    const float root = group_sum(vec4(sum, 0.0, 0.0, 0.0)).x / count;
-    const float brightest = TAIL_BRIGHTEST * max(memory.mean, root * root);
-    sum = 0.0;
-    for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) sum += min(ray_estimate(own, i), brightest);
+    const NodeRays own = rays_of(node, rays);
+    for (uint i = gl_LocalInvocationID.x; i < own.count; i += LANES) sum += sqrt(unpack_sum(ray_samples[ray_word(own, i) + 1u], 0u));
     sum = group_sum(vec4(sum, 0.0, 0.0, 0.0)).x;
     if (gl_LocalInvocationID.x != 0u) return;
     // Those without room count as those that are stored.
     const vec2 counts = vec2(old_node_rays(node));
     if (own.count == 0u && counts.x > 0.0) return;
-    const float mean = sum / count * counts.x / (counts.x + counts.y);
-    const uvec2 learned = tail_pack(tail_update(memory, float(rays), mean));
-    old_leaves[words] = learned.x;
-    old_leaves[words + 1u] = learned.y;
+    const float mean = sum / float(max(own.count, 1u)) * counts.x / (counts.x + counts.y);
+    const uint words = node_word(NODE_TAIL, node);
+    const uvec2 memory = tail_pack(tail_update(tail_unpack(uvec2(old_leaves[words], old_leaves[words + 1u])), float(rays), mean));
+    old_leaves[words] = memory.x;
+    old_leaves[words + 1u] = memory.y;
 }
 
 void main() {

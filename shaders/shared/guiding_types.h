@@ -308,8 +308,6 @@ struct TailMemory {
 SHADER_CONST float TAIL_RAYS = 2048.0f;
 /// Part of earlier rays that is kept at most. Where there are few new ones, light that has changed must be forgotten, too.
 SHADER_CONST float TAIL_KEPT = 0.9f;
-/// Times the usual, as which a brighter ray counts (guide_adapt.comp).
-SHADER_CONST float TAIL_BRIGHTEST = 8.0f;
 /// Rays of its source that a part of a split leaf counts its mean as.
 SHADER_CONST float TAIL_DOUBT = 32.0f;
 
