@@ -54,8 +54,6 @@ TEST_F(ForeignNameTest, ValuesConvert) {
         return converted_value(*find_foreign_name(name), text);
     };
     EXPECT_EQ(value("pt_num_bounce_rays", "0"), "0");
-    EXPECT_EQ(value("pt_num_bounce_rays", "0.5"), "1");
-    EXPECT_EQ(value("pt_num_bounce_rays", "2"), "1");
     EXPECT_EQ(value("pt_accumulation_rendering", "2"), "1");
     EXPECT_EQ(value("profiler", "1"), "passes");
     EXPECT_EQ(value("tm_enable", "0"), "none");
