@@ -3,6 +3,8 @@
 // single lights nearby, groups of lights farther off. Nothing learns. The sun is drawn beside them (light/sun_share.glsl).
 // Host side: refresh/vkpt/light/cut.cpp.
 #include "light/sun_share.glsl"
+#include "light/importance.glsl"
+float cut_light_weight(LtcSurface surface, uint light) { return light_importance(surface, light); }
 #include "light/cut_draw.glsl"
 
 /// What the draws of a surface have in common.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A draw from a light cut (cut_lists.glsl). All entries are weighed and one is drawn; in a group, one light by the weights of its halves. Groups
 // that are near are opened before, and their lights weighed one by one: the cut of a cluster becomes one of the surface.
+// A technique's file says what a single light weighs, and includes this one after that:
+//   cut_light_weight(surface, light)  not negative, and above 0 for a light that can shine on the surface and may be drawn
 #ifndef VIGIL_LIGHT_CUT_DRAW_GLSL
 #define VIGIL_LIGHT_CUT_DRAW_GLSL
 
@@ -12,6 +14,7 @@
 struct CutDraw {
     uint light;        // or a group. NONE: nothing was drawn
     float probability; // 0: nothing, or the sought light is not among what was weighed or weighs nothing
+    float weight;      // its own
 };
 
 /// One of what is weighed: by chance, or because it is, or has, the sought light.
@@ -36,7 +39,7 @@ bool has_place(CutGroup group, uint place) { return place - group.first < group.
 void weigh_lights(inout CutChoice choice, CutGroup group, LtcSurface surface, uint sought) {
     for (uint i = group.first; i < group.first + group.count; ++i) {
         const uint light = load_word(cut_order, i);
-        weigh(choice, light, light_importance(surface, light), light == sought);
+        weigh(choice, light, cut_light_weight(surface, light), light == sought);
     }
 }
 
@@ -51,7 +54,7 @@ void weigh_listed(inout CutChoice choice, uint listed, LtcSurface surface, uint 
         const uint run = cut_listed[at];
         const bool single = (run & CUT_GROUP) == 0u;
         const uint light = single ? run : load_word(cut_order, ((run & ~CUT_GROUP) >> 4u) + within);
-        weigh(choice, light, light_importance(surface, light), light == sought);
+        weigh(choice, light, cut_light_weight(surface, light), light == sought);
         within += 1u;
         if (!single && within < (run & 15u)) continue;
         at += 1u;
@@ -101,14 +104,15 @@ void weigh_cut(inout CutChoice choice, LightCut cut, LtcSurface surface, uint so
 CutDraw draw_of(CutChoice choice, uint sought) {
     const uint entry = sought == NONE ? choice.chance.chosen : choice.holder;
     const float weight = sought == NONE ? choice.chance.chosen_importance : choice.holder_weight;
-    if (entry == NONE || !(weight > 0.0)) return CutDraw(NONE, 0.0);
-    return CutDraw(entry, weight / choice.chance.sum);
+    if (entry == NONE || !(weight > 0.0)) return CutDraw(NONE, 0.0, 0.0);
+    return CutDraw(entry, weight / choice.chance.sum, weight);
 }
 
 /// Draws a light by `u`, in [0, 1); or finds the probability of `sought`, unless that is NONE.
 CutDraw draw_from_cut(LightCut cut, LtcSurface surface, uint sought, vec3 u) {
     const uint place = sought == NONE ? NONE : place_in_cut(cut, sought);
-    if (sought != NONE && place == NONE) return CutDraw(NONE, 0.0);
+    const bool sun = HAS_ENVIRONMENT && sought == frame.sun_light; // an entry of its own, in no list
+    if (sought != NONE && place == NONE && !sun) return CutDraw(NONE, 0.0, 0.0);
     CutChoice choice = new_choice(new_reservoir(u.x));
     weigh_cut(choice, cut, surface, sought, place);
     CutDraw draw = draw_of(choice, sought);
@@ -134,7 +138,7 @@ CutDraw draw_from_cut(LightCut cut, LtcSurface surface, uint sought, vec3 u) {
     choice = new_choice(new_reservoir(u.z));
     weigh_lights(choice, group, surface, sought);
     draw = draw_of(choice, sought);
-    return CutDraw(draw.light, probability * draw.probability);
+    return CutDraw(draw.light, probability * draw.probability, draw.weight);
 }
 
 #endif

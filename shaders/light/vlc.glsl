@@ -2,20 +2,18 @@
 // Technique `vlc`: the Visibility Light Cache (paper, section 4.2 and algorithm 1). A bucket of the surface's cache is drawn, and in it a light in
 // proportion to its importance. With the probability pt_vlc_explore, or a larger one (explore_total), a second draw looks for lights that no
 // sample has seen lately:
-//   - pt_explore_local of these walk the lights of the surface's PVS cluster, as `sll` does. Where such walks find much that the cache lacks (more
-//     lights than a leaf has samples for), or where there is no cache, more of them are made (pt_vlc_adapt, ExploreMemory);
+//   - pt_explore_local of these are from the light cut of the surface's PVS cluster (cut_draw.glsl). Where such draws find much that the cache lacks
+//     (more lights than a leaf has samples for), or where there is no cache, more of them are made (pt_vlc_adapt, ExploreMemory);
 //   - the others take any light of the level from a table weighted anew each frame (paper, section 4.3).
-// What the cache has already is thrown away: no light needs the probabilities of two walks, and what the cache draws well has no noise of exploration.
-// With pt_vlc_beside 0 these draws take the place of others, as in the paper, and the table draws the cache's lights, too.
-// Where no caches are made (HAS_CACHES), as most light is in sight, every draw is from the cluster's light cut, and nothing is learned.
-// Every other draw walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
-// nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability.
+// What the cache has already is left out, or thrown away: no light needs the probabilities of two draws, and what the cache draws well has no noise
+// of exploration. With pt_vlc_beside 0 these draws take the place of others, as in the paper, and the table draws the cache's lights, too.
+// Where no caches are made (HAS_CACHES), as most light is in sight, every draw is from the cut, and nothing is learned.
+// A draw from the cache walks past at most pt_vlc_bucket lights. The paper has the table alone, and names it a limitation that it knows
+// nothing of the surface: a light that no sample has found yet then costs its power over a tiny probability. A cut gives it its importance here.
 // Host side: refresh/vkpt/light/vlc.cpp and refresh/vkpt/guiding.
 #include "guiding/octree.glsl"
 #include "light/alias.glsl"
-#include "light/cut_draw.glsl"
 #include "light/importance.glsl"
-#include "light/light_list.glsl"
 
 layout(constant_id = CONSTANT_CACHES) const bool HAS_CACHES = true;
 
@@ -71,34 +69,42 @@ bool is_cached(LightCache cache, uint light) {
     return entry != NONE && (entry & VLC_ID_MASK) == light;
 }
 
+/// The cache whose lights draws from cuts leave out where they weigh single lights.
+LightCache left_out = LightCache(0u, 0u);
+
+float cut_light_weight(LtcSurface surface, uint light) {
+    const float importance = light_importance(surface, light);
+    return importance > 0.0 && is_cached(left_out, light) ? 0.0 : importance;
+}
+
+#include "light/cut_draw.glsl"
+
 /// Everything that the draws of a surface have in common.
 struct LightSearch {
     LtcSurface prepared;
     LightCache cache;
-    LightList list;
-    uint list_stride;
+    LightCut cut;
 };
 
 LightSearch prepare_search(Surface surface, uint leaf) {
     LightSearch search;
     search.prepared = prepare_importance(surface);
     search.cache = find_light_cache(leaf);
-    search.list = find_light_list(surface);
-    search.list_stride = max(list_stride(search.list, bucket_size()), 1u);
+    search.cut = find_cut(surface);
     return search;
 }
 
 /// How many draws of each kind are made on average.
 struct Shares {
     float cache;
-    float list;
+    float cut;
     float table;
 };
 
 /// Of `total` draws outside of the cache.
 Shares explore_shares(LightSearch search, float total) {
     const float local = alias_count() == 0u ? 1.0 : frame.settings.pt_explore_local;
-    if (search.list.count == 0u || local == 0.0) return Shares(0.0, 0.0, total);
+    if (cut_size(search.cut) == 0u || local == 0.0) return Shares(0.0, 0.0, total);
     const float table = min(frame.settings.pt_vlc_explore, total) * (1.0 - local);
     return Shares(0.0, total - table, table);
 }
@@ -112,11 +118,11 @@ const float DARK_TOTAL = 0.25;
 /// Draws per surface beside a cache of which nothing else is known yet. Twice as many hardly learn sooner (docs/research/history.md).
 const float UNKNOWN_TOTAL = 0.5;
 
-/// Draws outside of the cache. Those made in place of others get the share a that ExploreMemory stores. Beside others, walks in a part b of the pixels
-/// bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the sums is least for
-/// b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M. As one
-/// light's second moment is that of all walks, M grows with their number, and the least share with its root. Until M is known, half of all draws
-/// are made, and all where there is no cache. All are made in the frame in which a light appears: no cache can have it.
+/// Draws outside of the cache. Those made in place of others get the share a that ExploreMemory stores. Beside others, draws from cuts in a part b
+/// of the pixels bring the second moment M / b and take the time b x, where all else has K and takes t; the product of the sums is least for
+/// b = sqrt(M / K) sqrt(t / x), of which the first factor is a / (1 - a). What no draw has met yet is not in M, so pt_vlc_explore is the least.
+/// Until M is known, half of all draws are made, and all where there is no cache. All are made in the frame in which a light appears: no cache can
+/// have it.
 float explore_total(LightSearch search, uint leaf) {
     const float explore = frame.settings.pt_vlc_explore;
     const bool none = search.cache.buckets == 0u;
@@ -126,7 +132,7 @@ float explore_total(LightSearch search, uint leaf) {
     if (!draws_beside()) return none ? 1.0 : max(explore, memory.share);
     if (guiding.explores != 0u) return 1.0;
     const float known = min(memory.listed / EXPLORE_DRAWS, 1.0); // how well M is
-    const float wanted = max(explore * sqrt(float(search.list_stride)), BESIDE_FACTOR * memory.share / (1.0 - memory.share));
+    const float wanted = BESIDE_FACTOR * memory.share / (1.0 - memory.share);
     return max(max(explore, min(wanted, 1.0)), none ? mix(1.0, DARK_TOTAL, known) : UNKNOWN_TOTAL * (1.0 - known));
 }
 
@@ -142,50 +148,35 @@ Shares draw_shares(inout LightSearch search, uint leaf, float beside) {
     return shares;
 }
 
-/// Lights to walk past: a bucket of a cache, or every `stride`-th of a cluster's list, of which those in the cache weigh nothing.
+/// Lights to walk past: a bucket of a cache.
 struct Candidates {
-    uint first, end, stride; // in vlc_words, or in the list
-    bool from_cache;
-    LightCache cache;
-    LightList list;
+    uint first, end, stride; // in vlc_words
     LtcSurface prepared;
 };
 
 uint candidate_light(Candidates candidates, uint i) {
-    if (!candidates.from_cache) return light_of_list(candidates.list, i);
     const uint entry = load_word(vlc_words, i);
     return entry == NONE ? NONE : entry & VLC_ID_MASK;
 }
 
-float candidate_weight(Candidates candidates, uint light) {
-    const float importance = light_importance(candidates.prepared, light);
-    if (importance > 0.0 && !candidates.from_cache && is_cached(candidates.cache, light)) return 0.0;
-    return importance;
-}
+float candidate_weight(Candidates candidates, uint light) { return light_importance(candidates.prepared, light); }
 
 #include "light/candidate_walk.glsl"
 
-Candidates bucket_candidates(LightSearch search, uint first) {
-    const uint lights_there = search.cache.buckets > 0u ? bucket_size() : 0u;
-    return Candidates(first, first + lights_there, 1u, true, search.cache, search.list, search.prepared);
+Candidates bucket_candidates(LightSearch search, uint bucket) {
+    const uint first = search.cache.first + bucket * bucket_size();
+    return Candidates(first, first + bucket_size(), 1u, search.prepared);
 }
 
-Candidates list_candidates(LightSearch search, uint start) {
-    return Candidates(start, search.list.count, search.list_stride, false, search.cache, search.list, search.prepared);
+/// Draws a light by `u`, in [0, 1), or finds the probability of one that the cache lacks.
+CutDraw draw_uncached(LightSearch search, uint sought, vec3 u) {
+    left_out = search.cache;
+    return draw_from_cut(search.cut, search.prepared, sought, u);
 }
 
-/// The one walk that can meet a light. A light that is in neither cache nor list has none: only the table draws it.
-Candidates candidates_of_light(LightSearch search, bool cached, uint light) {
-    if (cached) return bucket_candidates(search, bucket_of_light(search.cache, light));
-    const uint place = place_in_list(search.list, light);
-    return list_candidates(search, place == NONE ? search.list.count : place % search.list_stride);
-}
-
-/// Probability that a light is drawn, after the one walk that can meet it.
-float mixture_probability(LightSearch search, Shares shares, bool cached, CandidateWalk walk) {
-    float walks = shares.list / float(search.list_stride);
-    if (cached) walks = shares.cache * bucket_probability(search.cache, walk.light & (search.cache.buckets - 1u));
-    return shares.table * alias_probability(walk.light) + (walk.weight > 0.0 ? walks * walk.weight / walk.sum : 0.0);
+/// Probability of a light of the cache, after the walk past its bucket.
+float cached_probability(LightSearch search, Shares shares, uint bucket, CandidateWalk walk) {
+    return walk.weight > 0.0 ? shares.cache * bucket_probability(search.cache, bucket) * walk.weight / walk.sum : 0.0;
 }
 
 /// Where there are no caches: a draw by `u`, in [0, 1), or the probability of `sought`, unless that is NONE.
@@ -205,45 +196,50 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     const vec3 u = random_next3(random);
     const uvec2 bits = random_next_bits(random);
 
-    // What to walk past.
     const float kind = beside > 0.0 ? u.x * beside : u.x - shares.cache; // below 0: the cache
     const bool from_cache = kind < 0.0;
-    const bool from_list = !from_cache && kind < shares.list;
-    uint tabled = NONE;
-    bool cached = from_cache;
-    float walks = float(search.list_stride); // 1 / probability of this one
-    Candidates candidates;
+    const bool from_cut = !from_cache && kind < shares.cut;
+    const uint tabled = from_cache || from_cut ? NONE : alias_light(bits);
+    bool cached = from_cache || (tabled != NONE && is_cached(search.cache, tabled));
     uint bucket = 0u;
-    if (from_cache) {
-        bucket = draw_bucket(search.cache, u.y);
-        if (search.cache.buckets > 0u) walks = 1.0 / bucket_probability(search.cache, bucket);
-        candidates = bucket_candidates(search, search.cache.first + bucket * bucket_size());
-    } else if (from_list) {
-        candidates = list_candidates(search, draw_index(u.y, search.list_stride));
-    } else {
-        tabled = alias_light(bits);
-        cached = is_cached(search.cache, tabled);
-        candidates = candidates_of_light(search, cached, tabled);
+    uint light = tabled;
+    float probability = 0.0, estimate = 0.0;
+    if (cached) {
+        if (search.cache.buckets > 0u) {
+            bucket = from_cache ? draw_bucket(search.cache, u.y) : tabled & (search.cache.buckets - 1u);
+            const CandidateWalk walk = walk_candidates(bucket_candidates(search, bucket), tabled, u.z);
+            light = walk.light;
+            probability = cached_probability(search, shares, bucket, walk);
+            estimate = walk.sum / bucket_probability(search.cache, bucket);
+        }
+    } else if (shares.cut > 0.0) {
+        const CutDraw draw = draw_uncached(search, tabled, random_next3(random));
+        if (from_cut) {
+            light = draw.light;
+            cached = light != NONE && is_cached(search.cache, light); // one of a group farther off
+        }
+        probability = shares.cut * draw.probability;
+        if (draw.probability > 0.0) estimate = draw.weight / draw.probability;
     }
-    const CandidateWalk walk = walk_candidates(candidates, tabled, u.z);
+    if (light != NONE) probability += shares.table * alias_probability(light);
 
-    LightChoice choice = weighted_choice(walk.light, 0.0);
+    LightChoice choice = weighted_choice(light, 0.0);
     choice.explored = !from_cache;
-    choice.memory = uvec2(found.samples, from_list ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
+    choice.memory = uvec2(found.samples, from_cut ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
     if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
     if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
     // Nothing is learned from a draw of no cache. The surface counts by the one beside it.
     if (from_cache && search.cache.buckets == 0u && choice.beside >= 1.0) choice.memory.x = NONE;
-    choice.memory.y |= light_sample_pack_estimate(finite_or_zero(walk.sum * walks));
+    choice.memory.y |= light_sample_pack_estimate(finite_or_zero(estimate));
     if (choice.light == NONE) {
         // What is not seen says by its last bits which bucket it was drawn from.
         choice.memory.y |= from_cache ? bucket : LIGHT_SAMPLE_NONE;
         return choice;
     }
     choice.memory.y |= min(choice.light, LIGHT_SAMPLE_NONE); // one of too many to remember
-    const float probability = mixture_probability(search, shares, cached, walk);
-    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it. Beside the cache, its lights are not drawn.
-    if (probability > 0.0 && !(beside > 0.0 && cached)) choice.weight = 1.0 / probability;
+    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it. Neither beside the cache nor from cuts are its
+    // lights drawn.
+    if (probability > 0.0 && !((beside > 0.0 || from_cut) && cached)) choice.weight = 1.0 / probability;
     else choice.light = NONE;
     return choice;
 }
@@ -259,6 +255,10 @@ float light_probability(Surface surface, uint light) {
     LightSearch search = prepare_search(surface, leaf);
     const float beside = draws_beside() && !is_cached(search.cache, light) ? explore_total(search, leaf) : 0.0;
     const Shares shares = draw_shares(search, leaf, beside);
-    const bool cached = is_cached(search.cache, light);
-    return mixture_probability(search, shares, cached, walk_candidates(candidates_of_light(search, cached, light), light, 0.0));
+    const float tabled = shares.table * alias_probability(light);
+    if (is_cached(search.cache, light)) {
+        const uint bucket = light & (search.cache.buckets - 1u);
+        return tabled + cached_probability(search, shares, bucket, walk_candidates(bucket_candidates(search, bucket), light, 0.0));
+    }
+    return tabled + (shares.cut > 0.0 ? shares.cut * draw_uncached(search, light, vec3(0.0)).probability : 0.0);
 }

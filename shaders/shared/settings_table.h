@@ -100,8 +100,8 @@
     INTEGER(pt_learn_every, Archived, Reference, 4, 1, 16, \
         "Guiding: Of up to so many frames one is learned from, where caches have few lights and little is new to see. 1: each, as in the paper.") \
     GPU_INTEGER(pt_vlc_bucket, Archived, Reference, 32, 1, 64, \
-        "vlc: Most lights weighted per hit. Caches with more lights have several buckets.") \
-    GPU_REAL(pt_vlc_explore, Archived, Reference, 0.03, 0.0, 1.0, \
+        "vlc: Most lights weighted per draw from a cache. Caches with more lights have several buckets.") \
+    GPU_REAL(pt_vlc_explore, Archived, Reference, 0.1, 0.0, 1.0, \
         "vlc: Share of light samples that look for lights outside the cache. 0: None do, and lights that no cache has are missing.") \
     GPU_INTEGER(pt_vlc_beside, Archived, Reference, 1, 0, 1, \
         "vlc: 1: Samples that look for lights are added to those from the cache. 0: They take their place, as in the paper.") \
@@ -118,7 +118,7 @@
     INTEGER(pt_vlc_persist, Archived, Reference, 16, 0, 30, \
         "vlc: Frames that a light stays in a cache after it was seen there. 0: none, as in the paper.") \
     GPU_REAL(pt_explore_local, Archived, Reference, 0.8, 0.0, 1.0, \
-        "vlc: Part of the search that weights the lights of the surface's PVS cluster, like sll. 0: none, as in the paper.") \
+        "vlc: Part of the search that draws from the light cut of the surface's PVS cluster. 0: none, as in the paper.") \
     REAL(pt_explore_energy, Session, Reference, 1.0, 0.0, 1e6, \
         "vlc: Weight of a light's power in the search for lights.") \
     REAL(pt_explore_change, Session, Reference, 1.0, 0.0, 1e6, \

@@ -45,7 +45,7 @@ const std::vector<Sweep>& sweeps() {
         {"pt_learn_every", "vlc", {"1", "2", "8"}},
         {"pt_vlc_enough", "vlc", {"0"}},
         // Of itself, as the paper: pt_vlc_adapt 0.
-        {"pt_vlc_explore", "vlc", {"0.01", "0.1", "0.2", "0.5"}},
+        {"pt_vlc_explore", "vlc", {"0.01", "0.03", "0.2", "0.5"}},
         {"pt_vlc_beside", "vlc", {"0"}},
         {"pt_vlc_adapt", "vlc", {"0"}},
         {"pt_vlc_weigh", "vlc", {"0"}},

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Technique `vlc`: Visibility Light Cache (shaders/light/vlc.glsl). The caches are made on the GPU
 // (refresh/vkpt/guiding); what is made here is for the part of the samples that looks for new
-// lights: the lists of the clusters, and the table of all lights. Where most light is in sight
-// there are no caches, and its shader draws from cuts of the lists.
+// lights: cuts of the clusters' lists, and the table of all lights. Where most light is in sight
+// there are no caches, and its shader draws from the cuts alone.
 #include "refresh/vkpt/light/cluster_cuts.h"
 #include "refresh/vkpt/light/exploration_table.h"
-#include "refresh/vkpt/light/list_buffers.h"
 #include "refresh/vkpt/light/list_sight.h"
 #include "refresh/vkpt/scene/light_set.h"
 #include "shared/features.h"
@@ -24,8 +23,7 @@ namespace {
 class VisibilityLightCache : public LightTechnique {
 public:
     explicit VisibilityLightCache(const TechniqueContext& context)
-        : lists_(context), table_(context.device), buffers_(context.device), cuts_(context.device) {
-    }
+        : lists_(context), table_(context.device), cuts_(context.device) {}
 
     bool prepare(const LightFrame& frame) override {
         ClusterLists::Changes changes = lists_.prepare(frame.lights);
@@ -34,30 +32,18 @@ public:
         const bool turned = caches_ != had_caches;
         if (turned) changes = {true, true};
         bool renewed = turned;
-        if (caches_) {
-            renewed |= buffers_.prepare(lists_, changes);
-            renewed |= table_.prepare(frame);
-        } else {
-            renewed |= cuts_.prepare(lists_, changes, frame.lights,
-                                     static_cast<uint32_t>(frame.settings.pt_cut_size));
-        }
+        if (caches_) renewed |= table_.prepare(frame);
+        renewed |= cuts_.prepare(lists_, changes, frame.lights,
+                                 static_cast<uint32_t>(frame.settings.pt_cut_size));
         return renewed;
     }
     void upload(gpu::FrameCommands& commands) override {
-        if (caches_) {
-            buffers_.upload(commands);
-            table_.upload(commands);
-        } else {
-            cuts_.upload(commands);
-        }
+        cuts_.upload(commands);
+        if (caches_) table_.upload(commands);
     }
     void bind(Bindings& bindings) const override {
-        if (caches_) {
-            buffers_.bind(bindings);
-            bindings[BINDING_ALIAS_TABLE] = &table_.buffer();
-        } else {
-            cuts_.bind(bindings);
-        }
+        cuts_.bind(bindings);
+        if (caches_) bindings[BINDING_ALIAS_TABLE] = &table_.buffer();
     }
     bool uses_guiding() const override { return caches_; }
     std::string guiding_reason() const override {
@@ -89,7 +75,6 @@ private:
 
     ClusterLists lists_;
     ExplorationTable table_;
-    ListBuffers buffers_;
     ClusterCuts cuts_;
     uint64_t looked_at_ = 0;       // revision of the sun that the next one is of
     std::optional<double> seen_{}; // part_in_sight(), unless there is a sun
