@@ -109,7 +109,7 @@ SHADER_CONST uint LIGHT_SAMPLE_VISIBLE = 0x80000000u;
 SHADER_CONST uint LIGHT_SAMPLE_DRAWN = 0x60000000u;  // one of the next three
 SHADER_CONST uint LIGHT_SAMPLE_CACHED = 0u;          // from the cache
 SHADER_CONST uint LIGHT_SAMPLE_TABLED = 0x20000000u; // from the table of all lights
-SHADER_CONST uint LIGHT_SAMPLE_LISTED = 0x40000000u; // from the list of the surface's cluster
+SHADER_CONST uint LIGHT_SAMPLE_LISTED = 0x40000000u; // from the cut of the cluster's list
 SHADER_CONST uint LIGHT_SAMPLE_ESTIMATE_SHIFT = 22u;
 SHADER_CONST uint LIGHT_SAMPLE_ID_MASK = 0x003fffffu;
 /// What is stored when there was no light to sample, or one with a larger id, which no cache learns.
@@ -186,15 +186,15 @@ SHADER_FN BucketMemory bucket_update(BucketMemory memory, float draws, float roo
     return memory;
 }
 
-/// What draws estimated, from lists in running sums over the last hundred or so, and what follows from it: `share` of all
-/// draws should be from lists.
+/// What draws estimated, from cuts in running sums over the last hundred or so, and what follows from it: `share` of all
+/// draws should be from cuts.
 ///
 /// A draw estimates the importance of all that its walks can meet, lights of the cache or the others: that of the light
 /// drawn, over its probability, or 0 if the light is hidden. The estimates' mean squares are the second moments K and M that the two
-/// kinds have if nothing else is drawn. If lists get a part a of the draws, they are K / (1 - a) and M / a, and
+/// kinds have if nothing else is drawn. If cuts get a part a of the draws, they are K / (1 - a) and M / a, and
 /// their sum is least for a / (1 - a) = sqrt(M / K).
 struct ExploreMemory {
-    float listed; // draws from lists
+    float listed; // draws from cuts of lists
     float found;  // sum of the squares of their estimates
     float cached; // mean square of the estimates of draws from the cache: K
     float share;  // at most EXPLORE_MOST
@@ -216,7 +216,7 @@ SHADER_FN uvec2 explore_pack(ExploreMemory memory) {
     return pack_four_sums(vec4(memory.listed, memory.found, memory.cached, memory.share));
 }
 
-/// The memory after a frame with so many draws from lists and from the cache, and the sums of the squares of their
+/// The memory after a frame with so many draws from cuts and from the cache, and the sums of the squares of their
 /// estimates. A frame in which nothing was drawn from the cache had none, so it does not tell what a cache lacks: what it found is in
 /// the next one, for which memory begins anew. If it found nothing, that is remembered.
 SHADER_FN ExploreMemory explore_update(ExploreMemory memory, float listed, float found, float drawn, float squares) {
