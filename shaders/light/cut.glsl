@@ -4,7 +4,10 @@
 // Host side: refresh/vkpt/light/cut.cpp.
 #include "light/sun_share.glsl"
 #include "light/importance.glsl"
+
+/// All lights may be drawn.
 float cut_light_weight(LtcSurface surface, uint light) { return light_importance(surface, light); }
+
 #include "light/cut_draw.glsl"
 
 /// What the draws of a surface have in common.

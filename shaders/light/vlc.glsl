@@ -51,13 +51,17 @@ uint draw_bucket(LightCache cache, float u) {
     return b;
 }
 
-uint bucket_of_light(LightCache cache, uint light) { return cache.first + (light & (cache.buckets - 1u)) * bucket_size(); }
+/// Of a cache that has any.
+uint bucket_of_light(LightCache cache, uint light) { return light & (cache.buckets - 1u); }
+
+/// Word of its first light.
+uint bucket_start(LightCache cache, uint bucket) { return cache.first + bucket * bucket_size(); }
 
 /// Whether a light is in the cache: bisection, as the lights of a bucket lie in the order of their reversed ids.
 bool is_cached(LightCache cache, uint light) {
     if (cache.buckets == 0u) return false;
     const uint sought = bitfieldReverse(light);
-    uint first = bucket_of_light(cache, light);
+    uint first = bucket_start(cache, bucket_of_light(cache, light));
     for (uint count = bucket_size(); count > 1u;) {
         const uint half_count = count / 2u;
         const uint entry = load_word(vlc_words, first + half_count);
@@ -164,7 +168,7 @@ float candidate_weight(Candidates candidates, uint light) { return light_importa
 #include "light/candidate_walk.glsl"
 
 Candidates bucket_candidates(LightSearch search, uint bucket) {
-    const uint first = search.cache.first + bucket * bucket_size();
+    const uint first = bucket_start(search.cache, bucket);
     return Candidates(first, first + bucket_size(), 1u, search.prepared);
 }
 
@@ -206,7 +210,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     float probability = 0.0, estimate = 0.0;
     if (cached) {
         if (search.cache.buckets > 0u) {
-            bucket = from_cache ? draw_bucket(search.cache, u.y) : tabled & (search.cache.buckets - 1u);
+            bucket = from_cache ? draw_bucket(search.cache, u.y) : bucket_of_light(search.cache, tabled);
             const CandidateWalk walk = walk_candidates(bucket_candidates(search, bucket), tabled, u.z);
             light = walk.light;
             probability = cached_probability(search, shares, bucket, walk);
@@ -257,7 +261,7 @@ float light_probability(Surface surface, uint light) {
     const Shares shares = draw_shares(search, leaf, beside);
     const float tabled = shares.table * alias_probability(light);
     if (is_cached(search.cache, light)) {
-        const uint bucket = light & (search.cache.buckets - 1u);
+        const uint bucket = bucket_of_light(search.cache, light);
         return tabled + cached_probability(search, shares, bucket, walk_candidates(bucket_candidates(search, bucket), light, 0.0));
     }
     return tabled + (shares.cut > 0.0 ? shares.cut * draw_uncached(search, light, vec3(0.0)).probability : 0.0);
