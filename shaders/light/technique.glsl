@@ -29,12 +29,13 @@ struct LightChoice {
     uint light;    // id, or NONE: there is nothing to sample here
     float weight;  // above 0: 1 / probability of the draw, or an unbiased estimate of that
     float beside;  // probability of a second draw
+    float least;   // of it: how probable it stays where fewer are made
     bool explored; // drawn by a second technique that only looks for new lights
     uvec2 memory;  // where learn_light puts what became of it: the technique's business
 };
 
 /// A draw with an estimated weight.
-LightChoice weighted_choice(uint light, float weight) { return LightChoice(light, weight, 0.0, false, uvec2(0u)); }
+LightChoice weighted_choice(uint light, float weight) { return LightChoice(light, weight, 0.0, 0.0, false, uvec2(0u)); }
 
 /// A draw whose probability is known, in (0, 1]; any for NONE.
 LightChoice light_choice(uint light, float probability) { return weighted_choice(light, light == NONE ? 0.0 : 1.0 / probability); }

@@ -231,7 +231,10 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     choice.explored = !from_cache;
     choice.memory = uvec2(found.samples, from_cut ? LIGHT_SAMPLE_LISTED : LIGHT_SAMPLE_TABLED);
     if (from_cache && search.cache.buckets > 0u) choice.memory.y = LIGHT_SAMPLE_CACHED;
-    if (from_cache && draws_beside()) choice.beside = explore_total(search, found.cache);
+    if (from_cache && draws_beside()) {
+        choice.beside = explore_total(search, found.cache);
+        choice.least = frame.settings.pt_vlc_explore;
+    }
     // Nothing is learned from a draw of no cache. The surface counts by the one beside it.
     if (from_cache && search.cache.buckets == 0u && choice.beside >= 1.0) choice.memory.x = NONE;
     choice.memory.y |= light_sample_pack_estimate(finite_or_zero(estimate));

@@ -99,9 +99,9 @@ float subgroup_number(uint vertex) {
     return unit_float(random_next_words(random).x + steps.x + steps.y);
 }
 
-/// Part of the second draws that are made at the last indirect hit. They cost as much as at the primary hit, and what they find counts by the
-/// path's throughput. Measured: docs/research/techniques.md. Where a ray follows, `light_probability` must know the number of draws: all are
-/// made. So they are where all are wanted: without a cache, or as a light appears.
+/// Part of the second draws that are made at the last indirect hit, but for LightChoice.least. They cost as much as at the primary hit, and what
+/// they find counts by the path's throughput. Measured: docs/research/history.md. Where a ray follows, `light_probability` must know the number of
+/// draws: all are made. So they are where all are wanted: without a cache, or as a light appears.
 const float BESIDE_INDIRECT = 0.25;
 
 /// `vertex` counts the path's vertices.
@@ -120,7 +120,7 @@ DirectLight next_event_estimate(Surface surface, uint vertex, bool ray_follows, 
         // One path per pixel teaches: what is stored is bounded by the resolution.
         if (LEARNS_FROM_LIGHT_SAMPLES != 0 && path_index == 0u) learn_light(choice, outcome);
         float wanted = choice.beside;
-        if (vertex > 0u && !ray_follows && wanted < 1.0) wanted *= BESIDE_INDIRECT;
+        if (vertex > 0u && !ray_follows && wanted < 1.0) wanted = max(wanted * BESIDE_INDIRECT, min(wanted, choice.least));
         if (DRAWS_BESIDE == 0 || beside > 0.0 || !(subgroup_number(vertex) < wanted)) break;
         beside = wanted;
     }
