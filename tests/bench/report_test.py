@@ -18,6 +18,7 @@ import agreement
 import colors
 import defaults
 import economy_page
+import levels
 import rivals
 import summary
 import tables
@@ -110,6 +111,8 @@ class Tables(unittest.TestCase):
 class Rivals(unittest.TestCase):
     """Rows of four views with two seeds, the same in each."""
 
+    PRODUCT = ("mse", "frame_ms")
+
     def row(self, label, error, time, **more):
         def runs(value):
             return {"by_view_and_seed": [[value, value]] * 4}
@@ -121,8 +124,8 @@ class Rivals(unittest.TestCase):
 
     def test_the_best_one_has_the_least_error_times_time(self):
         part = self.part(self.row("a", 3, 2), self.row("fast", 9, 0.5), self.row("exact", 1, 5), self.row("poor", 9, 2))
-        self.assertEqual(rivals.best_rival(part, "a", [], "mse"), ("fast", {"value": 6 / 4.5, "low": 6 / 4.5, "high": 6 / 4.5}))
-        self.assertEqual(rivals.best_rival(part, "a", ["exact", "poor"], "mse")[0], "exact")
+        self.assertEqual(rivals.best_rival(part, "a", [], self.PRODUCT), ("fast", {"value": 6 / 4.5, "low": 6 / 4.5, "high": 6 / 4.5}))
+        self.assertEqual(rivals.best_rival(part, "a", ["exact", "poor"], self.PRODUCT)[0], "exact")
         head, lines = rivals.table([part, part], "a", [])
         self.assertEqual(head, ["level", "best other", "Trimmed MSE", "best other", "MSE"])
         self.assertEqual(lines[0], ["`x`", "`fast`", "1.33", "`fast`", "1.33"])
@@ -130,13 +133,49 @@ class Rivals(unittest.TestCase):
 
     def test_rows_that_miss_light_are_no_rivals(self):
         part = self.part(self.row("a", 3, 1), self.row("blind", 1, 1, misses_light=True), self.row("b", 6, 1))
-        self.assertEqual(rivals.best_rival(part, "a", [], "mse")[0], "b")
-        self.assertIsNone(rivals.best_rival(part, "a", ["blind"], "mse"))
-        self.assertEqual(rivals.table([part], "a", ["blind"])[1][0], ["`x`", "", "?", "", "?"])
+        self.assertEqual(rivals.best_rival(part, "a", [], self.PRODUCT)[0], "b")
+        self.assertIsNone(rivals.best_rival(part, "a", ["blind"], self.PRODUCT))
+        self.assertEqual(rivals.table([part], "a", ["blind", "blind"])[1][0], ["`x`", "", "?", "", "?"])
+        self.assertEqual(rivals.table([part], "a", ["blind"]), (["level", "Trimmed MSE", "MSE"], [["`x`", "?", "?"], ["geometric mean", "?", "?"]]))
+
+    def test_what_is_compared_may_be_a_time_alone(self):
+        part = self.part(self.row("a", 3, 2), self.row("b", 9, 4))
+        self.assertEqual(rivals.table([part], "a", ["b"], (("Time", ("frame_ms",)),)), (["level", "Time"], [["`x`", "0.5"], ["geometric mean", "0.5"]]))
 
     def test_unknown_rows_are_named(self):
         with self.assertRaisesRegex(ValueError, "x: no row c"):
-            rivals.best_rival(self.part(self.row("a", 1, 1)), "a", ["c"], "mse")
+            rivals.best_rival(self.part(self.row("a", 1, 1)), "a", ["c"], self.PRODUCT)
+
+
+class Levels(unittest.TestCase):
+    def report(self, *labels):
+        def row(label):
+            runs = {"by_view_and_seed": [[1.23456, 1.0]] * 4, "value": 1.0, "typical": {"value": 0.5, "p": 1.0}, "typical_at_equal_time": {"value": 0.25, "p": 1.0},
+                    "ratio": {"value": 0.5, "p": 1.0}, "ratio_at_equal_time": {"value": 0.25}, "median": {"value": 1.0}}
+            measures = ("mse", "trimmed_mse", "relative_mse", "mean_ratio", "path_ms", "frame_ms")
+            return {"label": label, "misses_light": False, "pass_ms": {}} | {name: runs for name in measures}
+
+        return report("quality", {}) | {"parts": [{"part": "x", "level": "x", "baseline": "sll", "rows": [row(label) for label in labels]}]}
+
+    def test_tables_have_all_rows_in_the_order_of_the_page(self):
+        joined = levels.join([self.report("preset paper", *reversed(levels.ROWS[:7]), "vlc+cdq", "vlc")])
+        self.assertEqual([row["label"] for row in joined["parts"][0]["rows"]], list(levels.ROWS))
+        self.assertNotIn("pass_ms", joined["parts"][0]["rows"][0])
+        self.assertEqual(joined["parts"][0]["rows"][0]["mse"]["by_view_and_seed"][0][0], 1.235)
+        found = levels.page_tables(joined)
+        self.assertTrue(found["techniques-plain"].startswith("| MSE at equal time | `sll_64` | `sll_256` |"))
+        self.assertIn("| `x` | 0.25 | 0.25 |", found["techniques-plain"])
+        self.assertIn("| `x` | 1 | 1 | 1 |", found["techniques-guided"])
+
+    def test_a_missing_row_is_named(self):
+        with self.assertRaisesRegex(ValueError, "x: no row paper, vlc$"):
+            levels.join([self.report(*levels.ROWS[:7], "vlc+cdq")])
+
+    def test_tables_are_put_where_the_page_has_their_names(self):
+        page = "# A\n\n<!--table a-->\n| old |\n| --- |\n\n<!--table b-->\n| kept |\n\nText\n"
+        self.assertEqual(levels.fill(page, {"a": "| new |\n"}), page.replace("| old |\n| --- |\n", "| new |\n"))
+        with self.assertRaisesRegex(ValueError, "no table c"):
+            levels.fill(page, {"c": "| new |\n"})
 
 
 class Economy(unittest.TestCase):

@@ -4,53 +4,57 @@
 
     python3 tools/report/rivals.py ROW[=RIVAL,RIVAL] REPORT.json [MORE.json ...]
 
-Rivals are all other rows, unless they are named. A ratio is the typical run's: the median, with its 95% interval, of error times time of a frame
+Rivals are all other rows, unless they are named; one alone has no column of its own. A ratio is the typical run's: the median, with its 95% interval, of error times time of a frame
 over the rival's in the run of the same view and seed. The best rival is the one over which that is largest: 1 or less is as good as all of them.
 """
 
 import json
+import math
 import sys
 
 from tables import cell, geometric_mean, load, markdown_table, number, typical_run
 
-ERRORS = (("Trimmed MSE", "trimmed_mse"), ("MSE", "mse"))
+# Columns: what is compared is the product of these values of a run.
+AT_EQUAL_TIME = (("Trimmed MSE", ("trimmed_mse", "frame_ms")), ("MSE", ("mse", "frame_ms")))
 
 
-def over(row, rival, error):
+def over(row, rival, names):
     """The typical run of a row over that of a rival, as tables.typical_run gives it; None where a row misses light, or a run has no error left
     after the reference's is taken off."""
     if row.get("misses_light") or rival.get("misses_light"):
         return None
     views = []
-    for columns in zip(*(r[name]["by_view_and_seed"] for r in (row, rival) for name in (error, "frame_ms"))):
+    for columns in zip(*(r[name]["by_view_and_seed"] for r in (row, rival) for name in names)):
         runs = list(zip(*columns))
         if any(value is None or value <= 0 for run in runs for value in run):
             return None
-        views.append([mse * time / (rival_mse * rival_time) for mse, time, rival_mse, rival_time in runs])
+        views.append([math.prod(run[:len(names)]) / math.prod(run[len(names):]) for run in runs])
     return typical_run(views)
 
 
-def best_rival(part, label, rivals, error):
+def best_rival(part, label, rivals, names):
     """The (label, ratio) of the rival over which a row is worst; None where it has none. Raises ValueError without the row."""
     rows = {row["label"]: row for row in part["rows"]}
     missing = [name for name in (label, *rivals) if name not in rows]
     if missing:
         raise ValueError(f"{part['part']}: no row {', '.join(missing)}")
-    ratios = [(name, over(rows[label], rows[name], error)) for name in rivals or rows if name != label]
+    ratios = [(name, over(rows[label], rows[name], names)) for name in rivals or rows if name != label]
     return max((pair for pair in ratios if pair[1] is not None), key=lambda pair: pair[1]["value"], default=None)
 
 
-def table(parts, label, rivals):
+def table(parts, label, rivals, measures=AT_EQUAL_TIME):
     """Head and lines, a part each, and the geometric means."""
-    lines, columns = [], [[] for _ in ERRORS]
+    lines, columns, several = [], [[] for _ in measures], len(rivals) != 1
     for part in parts:
         lines.append([f"`{part['part']}`"])
-        for column, (_, error) in zip(columns, ERRORS):
-            best = best_rival(part, label, rivals, error)
+        for column, (_, names) in zip(columns, measures):
+            best = best_rival(part, label, rivals, names)
             column.append(best and best[1]["value"])
-            lines[-1] += [f"`{best[0]}`", cell((None, best[1]))] if best else ["", "?"]
-    means = [text for column in columns for text in ("", number(geometric_mean(column)))]
-    return ["level", *(text for title, _ in ERRORS for text in ("best other", title))], [*lines, ["geometric mean", *means]]
+            lines[-1] += ([f"`{best[0]}`" if best else ""] if several else []) + [cell((None, best[1])) if best else "?"]
+    name = [""] if several else []
+    means = [text for column in columns for text in (*name, number(geometric_mean(column)))]
+    head = [text for title, _ in measures for text in (*(["best other"] if several else []), title)]
+    return ["level", *head], [*lines, ["geometric mean", *means]]
 
 
 def main(arguments):
