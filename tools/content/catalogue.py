@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 from typing import Callable
 
+import figure13
 import gallery
 import many
 import mine
@@ -35,6 +36,7 @@ class Entry:
 def levels(lights=None):
     """All levels; lights adds a hall with that many lamps."""
     out = [Entry(f.__name__, "test", lambda f=f: (f(), None)) for f in test_rooms.LEVELS]
+    out.append(Entry("figure13", "test", lambda: (figure13.build(), None)))
     for module in (warehouse, mine, gallery, ring, yard, room, quay):
         out.append(Entry(module.__name__, "game", module.build,
                          getattr(module, "verify", None)))

@@ -124,8 +124,9 @@ TEST_TABLE = {
     "red": (.6, .1, .08), "green": (.12, .5, .14), "blue": (.1, .16, .55), "sand": (.55, .45, .3),
     "lamp": (1, 1, 1), "lamp_warm": (1, .75, .45), "lamp_cool": (.7, .85, 1),
     "lamp_red": (1, .1, .05), "lamp_green": (.1, 1, .2), "glass": (.7, .85, .8),
-    "sky": (.3, .45, .7),
+    "sky": (.3, .45, .7), "polished": (.3, .3, .3),
 }
+TEST_GLOSS = {"polished": (.15, .3)}
 
 PALETTE = 200
 
@@ -152,9 +153,11 @@ def write_all(painted, game, test_game):
         painter.save(image, path, 0 if flat else PALETTE)
 
 
-def write_gloss(path):
-    """Writes materials.json: roughness and specular reflectance of the glossy textures."""
-    rows = {"vigil/" + name: {"roughness": gloss[0], "specular": gloss[1]}
-            for name, (_, _, gloss) in TABLE.items() if gloss}
-    lines = ['  "%s": %s' % (name, json.dumps(row)) for name, row in sorted(rows.items())]
-    path.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+def write_gloss(game, test_game):
+    """Writes materials.json of both: roughness and specular reflectance of the glossy textures."""
+    for folder, prefix, found in ((game, "vigil/", {name: row[2] for name, row in TABLE.items()}),
+                                  (test_game, "test/", TEST_GLOSS)):
+        rows = {prefix + name: {"roughness": gloss[0], "specular": gloss[1]}
+                for name, gloss in found.items() if gloss}
+        lines = ['  "%s": %s' % (name, json.dumps(row)) for name, row in sorted(rows.items())]
+        (folder / "materials.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")
