@@ -163,9 +163,9 @@ class Levels(unittest.TestCase):
         self.assertNotIn("pass_ms", joined["parts"][0]["rows"][0])
         self.assertEqual(joined["parts"][0]["rows"][0]["mse"]["by_view_and_seed"][0][0], 1.235)
         found = levels.page_tables(joined)
-        self.assertTrue(found["techniques-plain"].startswith("| MSE at equal time | `sll_64` | `sll_256` |"))
-        self.assertIn("| `x` | 0.25 | 0.25 |", found["techniques-plain"])
-        self.assertIn("| `x` | 1 | 1 | 1 |", found["techniques-guided"])
+        self.assertTrue(found["levels-plain"].startswith("| MSE at equal time | `sll_64` | `sll_256` |"))
+        self.assertIn("| `x` | 0.25 | 0.25 |", found["levels-plain"])
+        self.assertIn("| `x` | 1 | 1 | 1 |", found["levels-guided"])
 
     def test_a_missing_row_is_named(self):
         with self.assertRaisesRegex(ValueError, "x: no row paper, vlc$"):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tables of docs/research/techniques.md, from docs/results/levels.json: `run bench quality` of all levels, of one commit.
+"""The tables of docs/research/techniques.md, from docs/results/levels.json: `run bench quality` of many levels, of one commit.
 
     python3 tools/report/levels.py join REPORT.json [MORE.json ...]    # writes levels.json: what the tables need
     python3 tools/report/levels.py                                     # writes the tables into the page
@@ -75,19 +75,18 @@ def page_tables(report):
     typical = {head[0]: (head, lines) for head, lines in tables.typical_quality(report)}
     baseline = report["parts"][0]["baseline"]
     found = {name: over_baseline(*typical[title], baseline) for name, title in (
-        ("techniques-trimmed", "Trimmed MSE at equal time"), ("techniques-plain", "MSE at equal time"), ("techniques-frame", "Time of a frame"))}
-    for name, row, others, measures in (("techniques-rivals", "vlc", RIVALS, rivals.AT_EQUAL_TIME),
-                                        ("techniques-guided", "vlc+cdq", ("vlc",), (*rivals.AT_EQUAL_TIME, ("Path tracing", ("path_ms",))))):
+        ("levels-trimmed", "Trimmed MSE at equal time"), ("levels-plain", "MSE at equal time"), ("levels-frame", "Time of a frame"))}
+    for name, row, others, measures in (("levels-rivals", "vlc", RIVALS, rivals.AT_EQUAL_TIME),
+                                        ("levels-guided", "vlc+cdq", ("vlc",), (*rivals.AT_EQUAL_TIME, ("Path tracing", ("path_ms",))))):
         head, lines = rivals.table(report["parts"], row, others, measures)
         found[name] = [head, *lines]
     return {name: tables.markdown_table(head, lines) + "\n" for name, (head, *lines) in found.items()}
 
 
 def fill(text, found):
-    """The page with its tables. Raises ValueError where it lacks one."""
-    missing = found.keys() - {match["name"] for match in TABLE.finditer(text)}
-    if missing:
-        raise ValueError(f"no table {', '.join(sorted(missing))}")
+    """The page with those of the tables that it names. Raises ValueError where there is none."""
+    if found.keys().isdisjoint(match["name"] for match in TABLE.finditer(text)):
+        raise ValueError(f"no table {', '.join(found)}")
     return TABLE.sub(lambda match: match[0].replace(match["lines"], found.get(match["name"], match["lines"])), text)
 
 
