@@ -285,6 +285,8 @@ TEST_F(Filter, SurfacesThatComeIntoViewHaveNoGrid) {
     double between = 0.0, all = 0.0; // how far off pixels are: from both beside, and from the truth
     for (const size_t step : {size_t{1}, width})
         for (size_t pixel = step; pixel + step < expected.size() / 3; ++pixel) {
+            const bool ends_row = pixel % width == 0 || pixel % width == width - 1;
+            if (step == 1 && ends_row) continue;
             const float own = brightness(expected, pixel);
             const auto is_like = [&](size_t other) { // no edge lies between, nor a lamp there
                 return std::abs(brightness(expected, other) - own) < 0.1f * own && own < 2.0f;

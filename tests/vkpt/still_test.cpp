@@ -213,6 +213,16 @@ TEST_P(StillTest, LearningTakesTurns) {
     for (uint32_t id = 10; id < 14; ++id) // of eight faces each
         shot_.dynamic_lights.push_back({id, {0, 10.0f * static_cast<float>(id), 80}, 2, {9, 9, 9}});
     EXPECT_EQ(turns("4"), each);
+    // A view that begins in the middle of a turn has samples from its second frame on.
+    shot_.dynamic_lights.resize(shot_.dynamic_lights.size() - 4);
+    set("pt_oct_scale", "100");
+    EXPECT_NE(turns("4"), each);
+    set("pt_view", "samples");
+    render(); // learns what the frame before stored, if anything
+    for (int frame = 0; frame < 6; ++frame) {
+        render();
+        EXPECT_TRUE(learns_) << frame;
+    }
 }
 
 TEST_P(StillTest, WhatChangesIsCopiedInItsFrame) {

@@ -208,6 +208,7 @@ bool Guiding::prepare(const Options& options) {
                 options_.settings.tail != options.settings.tail ||
                 options_.guide != options.guide || options_.settings.memory_words < memory;
     options_ = options;
+    turn_ = std::min(turn_, options_.learn_every);
     options_.settings.memory_words = memory;
     options_.settings.guided = options_.guide.guides() ? 1 : 0;
     choose_pipelines();
