@@ -28,16 +28,8 @@ ROWS = ("sll", "sll_64", "sll_256", "shipped", "lh", "ris", "cut", "paper", "vlc
 RIVALS = ("sll", "sll_64", "sll_256", "shipped", "lh", "ris", "paper")  # of vlc
 
 
-def rounded(value):
-    if isinstance(value, dict):
-        return {key: rounded(inner) for key, inner in value.items()}
-    if isinstance(value, list):
-        return [rounded(inner) for inner in value]
-    return float(f"{value:.4g}") if isinstance(value, float) else value
-
-
 def kept(value, keys):
-    return {key: rounded(value[key]) for key in keys if key in value}
+    return {key: tables.rounded(value[key]) for key in keys if key in value}
 
 
 def load_all(paths):

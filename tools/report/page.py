@@ -124,12 +124,7 @@ def section(title, report, plots):
 
 def slim(value):
     """A report without the times of single passes; the values behind intervals stay."""
-    if isinstance(value, dict):
-        drop = ("pictures", "planned", "pass_ms")
-        return {key: slim(inner) for key, inner in value.items() if key not in drop}
-    if isinstance(value, list):
-        return [slim(inner) for inner in value]
-    return float(f"{value:.4g}") if isinstance(value, float) else value
+    return tables.rounded(value, without=("pictures", "planned", "pass_ms"))
 
 
 def write_summary(found, target):

@@ -53,6 +53,15 @@ def forget_intervals(report):
                     row[name][ratio] = times[name]
 
 
+def rounded(value, without=()):
+    """A report with four digits of each number, without what has one of these keys."""
+    if isinstance(value, dict):
+        return {key: rounded(inner, without) for key, inner in value.items() if key not in without}
+    if isinstance(value, list):
+        return [rounded(inner, without) for inner in value]
+    return float(f"{value:.4g}") if isinstance(value, float) else value
+
+
 def median(values):
     ordered = sorted(values)
     return 0.5 * (ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2])
