@@ -20,8 +20,8 @@ struct CutSearch {
 CutSearch prepare_search(Surface surface) {
     CutSearch search = CutSearch(find_cut(surface), 0.0, prepare_importance(surface));
     if (!HAS_ENVIRONMENT || search.cut.still.y == 0u) return search;
-    if (load_word(cut_entries, search.cut.still.x) != frame.sun_light) return search;
-    search.cut.still.x += 1u;
+    const uint last = load_word(cut_entries, search.cut.still.x + search.cut.still.y - 1u);
+    if ((last & CUT_GROUP) != 0u || load_word(cut_order, cut_run_first(last)) != frame.sun_light) return search;
     search.cut.still.y -= 1u;
     search.of_sun = sun_share(surface, cut_size(search.cut) != 0u);
     return search;

@@ -43,8 +43,8 @@ void weigh_lights(inout CutChoice choice, CutGroup group, LtcSurface surface, ui
     }
 }
 
-/// What is left to be weighed one by one: lights by their ids, or CUT_GROUP with the first light in cut_order times 16, and their number.
-/// It waits until the groups are weighed: in one loop for both, each invocation of a subgroup would wait whenever another has lights.
+/// Runs of lights that are left to be weighed one by one (cut_run). They wait until the groups are weighed: in one loop for both, each invocation
+/// of a subgroup would wait whenever another has lights.
 const uint CUT_LISTED = 32u;
 uint cut_listed[CUT_LISTED];
 
@@ -52,11 +52,10 @@ void weigh_listed(inout CutChoice choice, uint listed, LtcSurface surface, uint 
     uint at = 0u, within = 0u;
     while (at < listed) {
         const uint run = cut_listed[at];
-        const bool single = (run & CUT_GROUP) == 0u;
-        const uint light = single ? run : load_word(cut_order, ((run & ~CUT_GROUP) >> 4u) + within);
+        const uint light = load_word(cut_order, cut_run_first(run) + within);
         weigh(choice, light, cut_light_weight(surface, light), light == sought);
         within += 1u;
-        if (!single && within < (run & 15u)) continue;
+        if (within < cut_run_count(run)) continue;
         at += 1u;
         within = 0u;
     }
@@ -94,7 +93,7 @@ void weigh_cut(inout CutChoice choice, LightCut cut, LtcSurface surface, uint so
             const bool halves = opens && group.count > CUT_LEAF;
             if (!opens) weigh(choice, CUT_GROUP | number, group_importance(weight), has_place(group, place));
             else opened += halves ? 2u : group.count;
-            if (opens && !halves) cut_listed[listed++] = CUT_GROUP | (group.first << 4u) | group.count;
+            if (opens && !halves) cut_listed[listed++] = cut_run(group.first, group.count);
             number = halves ? number + 1u : group.next;
         }
         weigh_listed(choice, listed, surface, sought);

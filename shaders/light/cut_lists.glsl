@@ -9,8 +9,9 @@
 
 // A texel a cluster: first entry, entries, first light in order, lights; and one more for points in no cluster. Lights that can move after these.
 layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_CUTS) uniform utextureBuffer light_cuts;
-layout(set = SET_TECHNIQUE, binding = BINDING_CUT_ENTRIES) uniform utextureBuffer cut_entries; // ids of lights, or groups: CUT_GROUP
-layout(set = SET_TECHNIQUE, binding = BINDING_CUT_ORDER) uniform utextureBuffer cut_order;     // ids of the lights of all lists
+layout(set = SET_TECHNIQUE,
+       binding = BINDING_CUT_ENTRIES) uniform utextureBuffer cut_entries; // groups (CUT_GROUP), then runs of lights (cut_run)
+layout(set = SET_TECHNIQUE, binding = BINDING_CUT_ORDER) uniform utextureBuffer cut_order; // ids of the lights of all lists and runs
 layout(set = SET_TECHNIQUE,
        binding = BINDING_CUT_PLACES) uniform utextureBuffer cut_places; // lists; lights that stay; by id, what all lists are sorted by
 layout(set = SET_TECHNIQUE, binding = BINDING_LIGHT_NODES) uniform utextureBuffer cut_groups; // CutGroup records

@@ -10,8 +10,14 @@
 
 SHADER_BEGIN
 
-/// An entry of a cluster's cut is the id of a light, or CUT_GROUP and the number of a group.
+/// An entry of a cluster's cut is CUT_GROUP and the number of a group, or a run of single lights.
 SHADER_CONST uint CUT_GROUP = 0x80000000u;
+/// Most lights of a run. Runs start at one of the first 2^26 places of cut_order.
+SHADER_CONST uint CUT_RUN = 31u;
+SHADER_FN uint cut_run(uint first, uint count) { return first << 5u | count; }
+SHADER_FN uint cut_run_first(uint run) { return run >> 5u; }
+SHADER_FN uint cut_run_count(uint run) { return run & CUT_RUN; }
+
 /// Groups of at most so many lights have no halves.
 SHADER_CONST uint CUT_LEAF = 8u;
 /// Lights of a group that was drawn are weighed one by one, if they are at most so many.

@@ -78,9 +78,13 @@ LightLists lists_of(uint32_t first, uint32_t count) {
 
 /// The lights of an entry.
 std::vector<uint32_t> lights_of(const LightCuts& cuts, uint32_t entry) {
-    if ((entry & shader::CUT_GROUP) == 0) return {entry};
-    const CutGroup& group = cuts.groups()[entry & ~shader::CUT_GROUP];
-    const auto lights = cuts.order().subspan(group.first, group.count);
+    uint32_t first = shader::cut_run_first(entry), count = shader::cut_run_count(entry);
+    if ((entry & shader::CUT_GROUP) != 0) {
+        const CutGroup& group = cuts.groups()[entry & ~shader::CUT_GROUP];
+        first = group.first;
+        count = group.count;
+    }
+    const auto lights = cuts.order().subspan(first, count);
     return {lights.begin(), lights.end()};
 }
 
@@ -120,8 +124,8 @@ private:
         uint32_t entry;
     };
 
-    void weigh_lights(const CutGroup& group, std::vector<Weighed>& all) const {
-        for (const uint32_t id : cuts_.order().subspan(group.first, group.count))
+    void weigh_lights(uint32_t first, uint32_t count, std::vector<Weighed>& all) const {
+        for (const uint32_t id : cuts_.order().subspan(first, count))
             all.push_back(
                 {static_cast<double>(shader::ltc_importance(surface_, lights_[id], true)), id});
     }
@@ -130,9 +134,7 @@ private:
     }
     void weigh(uint32_t entry, uint32_t& opened, std::vector<Weighed>& all) {
         if ((entry & shader::CUT_GROUP) == 0) {
-            all.push_back(
-                {static_cast<double>(shader::ltc_importance(surface_, lights_[entry], true)),
-                 entry});
+            weigh_lights(shader::cut_run_first(entry), shader::cut_run_count(entry), all);
             return;
         }
         const uint32_t number = entry & ~shader::CUT_GROUP;
@@ -146,7 +148,7 @@ private:
         weighings += 1.0;
         if (group.count <= shader::CUT_LEAF) {
             opened += group.count;
-            weigh_lights(group, all);
+            weigh_lights(group.first, group.count, all);
             return;
         }
         opened += 2;
@@ -170,7 +172,7 @@ private:
             const CutGroup& group = cuts_.groups()[number];
             std::vector<Weighed> parts;
             if (group.count <= shader::CUT_WALK)
-                weigh_lights(group, parts);
+                weigh_lights(group.first, group.count, parts);
             else
                 for (const uint32_t half : {number + 1, cuts_.groups()[number + 1].next})
                     parts.push_back({static_cast<double>(weight_of(half).importance),
@@ -197,12 +199,18 @@ TEST(LightCuts, HaveEachLightOfAListOnce) {
             ASSERT_EQ(cuts.cuts().size(), lists.ranges.size());
             for (size_t list = 0; list < lists.ranges.size(); ++list) {
                 const ClusterCut& cut = cuts.cuts()[list];
-                EXPECT_LE(cut.count, size);
                 std::vector<uint32_t> found;
+                size_t weighed = 0;
+                bool groups = true;
                 for (const uint32_t entry : cuts.entries().subspan(cut.first, cut.count)) {
                     const std::vector<uint32_t> some = lights_of(cuts, entry);
                     found.insert(found.end(), some.begin(), some.end());
+                    const bool group = (entry & shader::CUT_GROUP) != 0;
+                    weighed += group ? 1 : some.size();
+                    EXPECT_TRUE(groups || !group) << "a group after a run";
+                    groups = group;
                 }
+                EXPECT_LE(weighed, size);
                 std::ranges::sort(found);
                 const auto wanted = lists.list(list);
                 EXPECT_TRUE(std::ranges::equal(found, wanted));
@@ -220,7 +228,7 @@ TEST(LightCuts, HaveNoGroupsWhereAllLightsHaveRoom) {
     LightCuts cuts;
     cuts.set_still(rooms(), {lists_of(0, 40), 0, lights}, 40);
     for (const uint32_t entry : cuts.entries())
-        EXPECT_LT(entry, 40u);
+        EXPECT_EQ(entry & shader::CUT_GROUP, 0u);
 }
 
 TEST(LightCuts, GroupsHoldTheirLights) {
@@ -371,6 +379,7 @@ TEST(LightCuts, KeepWhatStaysWhileOthersMove) {
     LightCuts cuts;
     cuts.set_still(bsp, {still, 0, std::span(lights).first(150)}, 16);
     const std::vector<uint32_t> entries(cuts.entries().begin(), cuts.entries().end());
+    const std::vector<uint32_t> order(cuts.order().begin(), cuts.order().end());
     const auto of_moving = [&] {
         const ClusterCut& cut = cuts.cuts()[cuts.still().cuts + 2];
         std::set<uint32_t> found;
@@ -382,6 +391,7 @@ TEST(LightCuts, KeepWhatStaysWhileOthersMove) {
     for (int frame = 0; frame < 3; ++frame) {
         cuts.set_moving(bsp, {moving, 150, std::span(lights).subspan(150)}, 16);
         EXPECT_TRUE(std::ranges::equal(cuts.entries().first(entries.size()), entries));
+        EXPECT_TRUE(std::ranges::equal(cuts.order().first(order.size()), order));
         const auto wanted = moving.list(2);
         EXPECT_EQ(of_moving(), std::set<uint32_t>(wanted.begin(), wanted.end()));
         for (size_t id = 150; id < lights.size(); ++id)
@@ -389,16 +399,16 @@ TEST(LightCuts, KeepWhatStaysWhileOthersMove) {
     }
 }
 
-TEST(LightCuts, HaveTheSunFirst) {
+TEST(LightCuts, HaveTheSunLast) {
     std::vector<Light> lights = lamps(20, 6);
     lights.back().flags = shader::LIGHT_SUN;
     LightCuts cuts;
     cuts.set_still(rooms(), {lists_of(0, 20), 0, lights}, 4);
     const ClusterCut& all = cuts.cuts()[cluster_count];
-    EXPECT_EQ(cuts.entries()[all.first], 19u);
     EXPECT_LE(all.count, 5u); // the cut, and the sun
+    EXPECT_EQ(lights_of(cuts, cuts.entries()[all.first + all.count - 1]), std::vector{19u});
     std::vector<uint32_t> found;
-    for (const uint32_t entry : cuts.entries().subspan(all.first + 1, all.count - 1))
+    for (const uint32_t entry : cuts.entries().subspan(all.first, all.count - 1))
         std::ranges::copy(lights_of(cuts, entry), std::back_inserter(found));
     EXPECT_EQ(found.size(), 19u);
     EXPECT_EQ(all.light_count, 19u);

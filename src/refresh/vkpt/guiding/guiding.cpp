@@ -57,10 +57,13 @@ constexpr double samples_per_light = 0.75;
 /// While the picture changes, of a leaf's samples as many count. Large pictures have more, and
 /// their caches gain as much by learning from each frame.
 constexpr uint64_t samples_per_leaf = 32;
-/// Guiders learn from every frame until so many times the rays that they follow have taught them.
+/// Guiders learn from every frame that they draw rays of, until so many times the rays that they
+/// follow have taught them.
 constexpr uint64_t guide_memories = 16;
-/// Where guiders gain too little, they draw rays in one frame of so many: for what they know.
-constexpr uint32_t guide_turn = 8;
+/// Guiders draw rays in all of so many first frames: nothing is known of their gain.
+constexpr uint32_t guide_frames = 8;
+/// Where they gain too little, they draw rays in one frame of so many, while they begin and later.
+constexpr uint32_t guide_turn_begin = 2, guide_turn = 8;
 /// Part of the last frame in what is known of their gain.
 constexpr double gain_pace = 0.25;
 /// Of a turn's samples one in so many may be without room. Room is for as many as a leaf had the
@@ -395,7 +398,6 @@ uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
         turn = std::min(turn,
                         static_cast<uint64_t>(samples / (samples_per_light * work.cached_lights)));
     }
-    if (options_.guide.guides() && guiders_begin_) turn = 1;
     // As much is new in each frame of a turn.
     const uint64_t unexpected = options_.lights ? work.dropped : work.rays_dropped;
     const uint64_t all = options_.lights ? work.samples : work.rays;
@@ -420,6 +422,7 @@ bool Guiding::rests() const {
 /// Whether this frame stores samples, to learn from.
 bool Guiding::teaches() const {
     if (rests()) return still_frames_ % turn_at_rest == 0;
+    if (options_.guide.guides() && guiders_begin_ && guides()) return true;
     return frames_ < eager_frames || frames_ % turn_ == 0;
 }
 
@@ -427,8 +430,9 @@ bool Guiding::teaches() const {
 bool Guiding::guides() const {
     if (options_.least_gain <= 0.0 || gain_ >= options_.least_gain) return true;
     if (options_.settings.tail != 0) return true; // it is learned from guided rays
-    if (frames_ < eager_frames || guiders_begin_) return true;
-    return rests() ? teaches() : frames_ % guide_turn == 0;
+    if (frames_ < guide_frames) return true;
+    if (rests()) return teaches();
+    return frames_ % (guiders_begin_ ? guide_turn_begin : guide_turn) == 0;
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,

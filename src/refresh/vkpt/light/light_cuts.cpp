@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace vigil {
@@ -97,8 +98,8 @@ void LightCuts::set_moving(const Bsp& bsp, const Part& part, std::uint32_t size)
             cluster = cuts[by_list[i - 1]];
         }
         cluster.first = static_cast<std::uint32_t>(entries_.size());
-        if (sun != shader::NONE) entries_.push_back(sun);
         if (!nodes_.empty()) cut(bounds[list], size);
+        if (sun != shader::NONE) add_run({&sun, 1});
         cluster.count = static_cast<std::uint32_t>(entries_.size()) - cluster.first;
     }
 }
@@ -180,13 +181,30 @@ void LightCuts::cut(const Bounds& cluster, std::uint32_t size) {
         for (std::uint32_t node = parent; node < parent + 2 * nodes_[parent].count - 1; ++node)
             if (nodes_[node].count == 1) add(node);
     }
-    // What is opened comes first.
-    std::ranges::sort(open, std::greater{}, [](const auto& node) {
-        return std::pair(std::abs(node.first), node.second);
+    // What is opened comes first, and single lights last.
+    std::ranges::sort(open, std::greater{}, [this](const auto& node) {
+        const std::uint32_t number = node.second;
+        return std::tuple(nodes_[number].count > 1, std::abs(node.first), number);
     });
-    for (const auto& [_, number] : open)
-        entries_.push_back(nodes_[number].count == 1 ? order_[nodes_[number].first]
-                                                     : shader::CUT_GROUP | nodes_[number].group);
+    std::vector<std::uint32_t> lights;
+    for (const auto& [_, number] : open) {
+        const Node& node = nodes_[number];
+        if (node.count == 1)
+            lights.push_back(order_[node.first]);
+        else
+            entries_.push_back(shader::CUT_GROUP | node.group);
+    }
+    add_run(lights);
+}
+
+void LightCuts::add_run(std::span<const std::uint32_t> lights) {
+    while (!lights.empty()) {
+        const auto run = lights.first(std::min<std::size_t>(lights.size(), shader::CUT_RUN));
+        entries_.push_back(shader::cut_run(static_cast<std::uint32_t>(order_.size()),
+                                           static_cast<std::uint32_t>(run.size())));
+        order_.insert(order_.end(), run.begin(), run.end());
+        lights = lights.subspan(run.size());
+    }
 }
 
 void LightCuts::make_groups(std::uint32_t number) {

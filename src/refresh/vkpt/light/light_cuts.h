@@ -41,10 +41,10 @@ public:
 
     /// By list: of the lights that stay, and after all these of those that can move.
     std::span<const ClusterCut> cuts() const { return cuts_; }
-    /// Lights, and groups with shader::CUT_GROUP: the largest errors first. The sun, if a list has
-    /// it, comes before all.
+    /// Groups with shader::CUT_GROUP, the largest errors first; then runs of single lights
+    /// (shader::cut_run), and the sun as the last, if a list has it.
     std::span<const std::uint32_t> entries() const { return entries_; }
-    /// Ids of the lights of all lists, each in the order of the tree.
+    /// Ids of the lights of all lists, each in the order of the tree; and those of runs.
     std::span<const std::uint32_t> order() const { return order_; }
     /// By id: place in the order of the tree; shader::NONE for lights that are in none.
     std::span<const std::uint32_t> places() const { return places_; }
@@ -72,6 +72,8 @@ private:
     void grow(std::uint32_t node, std::span<const std::uint32_t> places, std::uint32_t first);
     /// Adds the entries of a cut through nodes_.
     void cut(const Bounds& cluster, std::uint32_t size);
+    /// Adds entries for single lights.
+    void add_run(std::span<const std::uint32_t> lights);
     /// The groups of a node of nodes_ and of all its parts.
     void make_groups(std::uint32_t node);
 
