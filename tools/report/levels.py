@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tables of docs/research/techniques.md, from docs/results/levels.json: `run bench quality` of many levels, of one commit.
+"""The tables of docs/research/techniques.md, from docs/results/levels.json: `run bench quality` of many levels.
 
-    python3 tools/report/levels.py join REPORT.json [MORE.json ...]    # writes levels.json: what the tables need
+    python3 tools/report/levels.py join REPORT.json [MORE.json ...]    # puts these levels into levels.json: what the tables need
     python3 tools/report/levels.py                                     # writes the tables into the page
     python3 tools/report/levels.py --check                             # writes nothing; exits with 1 if the page has others
 """
@@ -21,8 +21,8 @@ ROOT = Path(__file__).resolve().parents[2]
 REPORT = ROOT / "docs/results/levels.json"
 PAGE = ROOT / "docs/research/techniques.md"
 
-KEPT = ("measured", "device", "commit", "intervals", "finished", "width", "height", "seeds", "first_seed", "warmup", "trimmed_share")
-KEPT_OF_PARTS = ("part", "level", "baseline", "frames", "reference", "reference_paths", "triangles", "lights", "views")
+KEPT = ("measured", "device", "intervals", "finished", "width", "height", "seeds", "first_seed", "warmup", "trimmed_share")
+KEPT_OF_PARTS = ("commit", "part", "level", "baseline", "frames", "reference", "reference_paths", "triangles", "lights", "views")
 KEPT_OF_ROWS = ("label", "variables", "misses_light", "mse", "trimmed_mse", "relative_mse", "mean_ratio", "path_ms", "frame_ms")
 ROWS = ("sll", "sll_64", "sll_256", "shipped", "lh", "ris", "cut", "paper", "vlc", "vlc+cdq")  # columns, from left
 RIVALS = ("sll", "sll_64", "sll_256", "shipped", "lh", "ris", "paper")  # of vlc
@@ -32,27 +32,23 @@ def kept(value, keys):
     return {key: tables.rounded(value[key]) for key in keys if key in value}
 
 
-def load_all(paths):
-    """Reports of one commit. Raises ValueError where they are not, or are unfinished."""
-    reports = [tables.load(path, "quality") for path in paths]
-    for path, report in zip(paths, reports):
-        if not report["finished"]:
-            raise ValueError(f"{path}: not finished")
-    if len({(report["device"], report["commit"]) for report in reports}) > 1:
-        raise ValueError("these reports are of several devices or commits")
-    return reports
-
-
-def join(reports):
-    """One report with the parts of all. Presets have their names alone. Raises ValueError where a row is missing."""
-    parts = []
-    for part in (part for report in reports for part in report["parts"]):
+def join(joined, report):
+    """Puts the parts of a finished report into one that join() made, or into None: in place of those of the same name. Presets have their names alone.
+    Raises ValueError where a row is missing, or where the two were not measured alike."""
+    if not report["finished"]:
+        raise ValueError("a report is not finished")
+    head = kept(report, KEPT)
+    parts = {} if joined is None else {part["part"]: part for part in joined["parts"]}
+    for key in head if parts else ():
+        if head[key] != joined.get(key):
+            raise ValueError(f"{key} is {head[key]}, and {joined.get(key)} in {REPORT}")
+    for part in report["parts"]:
         rows = {row["label"].removeprefix("preset "): kept(row, KEPT_OF_ROWS) for row in part["rows"]}
         missing = [label for label in ROWS if label not in rows]
         if missing:
             raise ValueError(f"{part['part']}: no row {', '.join(missing)}")
-        parts.append(kept(part, KEPT_OF_PARTS) | {"rows": [rows[label] | {"label": label} for label in ROWS]})
-    return kept(reports[0], KEPT) | {"parts": parts}
+        parts[part["part"]] = {"commit": report["commit"]} | kept(part, KEPT_OF_PARTS) | {"rows": [rows[label] | {"label": label} for label in ROWS]}
+    return head | {"parts": list(parts.values())}
 
 
 def over_baseline(head, lines, baseline):
@@ -66,12 +62,16 @@ def page_tables(report):
     """Table by its name in the page."""
     typical = {head[0]: (head, lines) for head, lines in tables.typical_quality(report)}
     baseline = report["parts"][0]["baseline"]
+    commits = {}
+    for part in report["parts"]:
+        commits.setdefault(part["commit"][:7], []).append(f"`{part['part']}`")
     found = {name: over_baseline(*typical[title], baseline) for name, title in (
         ("levels-trimmed", "Trimmed MSE at equal time"), ("levels-plain", "MSE at equal time"), ("levels-frame", "Time of a frame"))}
     for name, row, others, measures in (("levels-rivals", "vlc", RIVALS, rivals.AT_EQUAL_TIME),
                                         ("levels-guided", "vlc+cdq", ("vlc",), (*rivals.AT_EQUAL_TIME, ("Path tracing", ("path_ms",))))):
         head, lines = rivals.table(report["parts"], row, others, measures)
         found[name] = [head, *lines]
+    found["levels-commits"] = [["commit", "levels"], *([commit, ", ".join(levels)] for commit, levels in commits.items())]
     return {name: tables.markdown_table(head, lines) + "\n" for name, (head, *lines) in found.items()}
 
 
@@ -85,7 +85,9 @@ def fill(text, found):
 def main(arguments):
     if arguments[:1] == ["join"] and len(arguments) > 1:
         try:
-            joined = join(load_all(arguments[1:]))
+            joined = tables.load(REPORT, "quality") if REPORT.exists() else None
+            for path in arguments[1:]:
+                joined = join(joined, tables.load(path, "quality"))
         except (OSError, ValueError) as fault:
             sys.exit(str(fault))
         REPORT.write_text(json.dumps(joined, separators=(",", ":")) + "\n")
