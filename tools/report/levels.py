@@ -38,10 +38,12 @@ def join(joined, report):
     if not report["finished"]:
         raise ValueError("a report is not finished")
     head = kept(report, KEPT)
-    parts = {} if joined is None else {part["part"]: part for part in joined["parts"]}
-    for key in head if parts else ():
-        if head[key] != joined.get(key):
-            raise ValueError(f"{key} is {head[key]}, and {joined.get(key)} in {REPORT}")
+    parts = {}
+    if joined is not None:
+        parts = {part["part"]: part for part in joined["parts"]}
+        for key, value in head.items():
+            if joined.get(key) != value:
+                raise ValueError(f"{key} is {value}, and {joined.get(key)} in {REPORT}")
     for part in report["parts"]:
         rows = {row["label"].removeprefix("preset "): kept(row, KEPT_OF_ROWS) for row in part["rows"]}
         missing = [label for label in ROWS if label not in rows]
