@@ -3,7 +3,8 @@
 # Yamagi Quake II records a demo on one of our levels; then the engine with the module and build/vigil play it.
 #   demo.sh pictures [BUILD]   their raw pictures of the same frames have the same means, for every pt_nee
 #   demo.sh times [BUILD]      16 guards and rockets: times of passes, in turns, as a table
-# SEEDS, ROUNDS, TECHNIQUES and DEMO (a file, in place of what is recorded) change what is done; see engine.sh for more.
+# SEEDS, ROUNDS, TECHNIQUES and DEMO (a file, in place of what is recorded) change what is done. PARTICLES=1 times the engine with
+# the game's particles, which vigil does not have. See engine.sh for more.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 what=${1:-pictures}
@@ -120,7 +121,8 @@ use rocket launcher" "$(waits 20; for _ in 1 2; do echo +attack; waits 10; print
   local technique round
   for technique in $techniques; do
     for round in $(seq "${ROUNDS:-3}"); do
-      play_engine "$technique" "$scratch/engine.log" "set flt_enable 1" "set vigil_timedemo_json times.json"
+      play_engine "$technique" "$scratch/engine.log" "set flt_enable 1" "set cl_particles ${PARTICLES:-0}" \
+        "set vigil_timedemo_json times.json"
       mv "$home/.yq2/baseq2/times.json" "$scratch/times_engine_${technique}_$round.json"
       play_own "$technique" "$scratch/vigil.log" +set flt_enable 1 +set timedemo_json times.json +demomap shown +quit
       mv "$scratch/out/times.json" "$scratch/times_vigil_${technique}_$round.json"
