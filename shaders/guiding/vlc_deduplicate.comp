@@ -14,7 +14,10 @@ void count_draw(uint light_sample) {
     const float estimate = (light_sample & LIGHT_SAMPLE_VISIBLE) != 0u ? light_sample_estimate(light_sample) : 0.0;
     const vec2 draw = vec2(1.0, estimate * estimate);
     switch (light_sample & LIGHT_SAMPLE_DRAWN) {
-    case LIGHT_SAMPLE_LISTED: draws[gl_LocalInvocationID.x].xy += draw; break;
+    case LIGHT_SAMPLE_LISTED:
+        // A light that appeared was in no cache, and is in the next: it does not tell what caches lack.
+        if (settings.appeared == 0u) draws[gl_LocalInvocationID.x].xy += draw;
+        break;
     case LIGHT_SAMPLE_CACHED: draws[gl_LocalInvocationID.x].zw += draw; break;
     }
 }

@@ -395,6 +395,7 @@ struct GuidingSettings {
     uint memory_words; // of the guider, per node; 0 without memory
     uint tail;         // 1: nodes learn what rays bring to them
     uint unguided;     // 1: the frame had no rays to learn from
+    uint appeared;     // 1: a light appeared in the frame
 };
 
 /// Density of directions of which `other_part` are drawn with the density `other`, the rest with that of the guider.

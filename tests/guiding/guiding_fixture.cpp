@@ -51,10 +51,11 @@ Path path_of(const uint32_t* words) {
 }
 
 /// Submits the passes of one frame.
-void record_passes(size_t slot, std::span<const glm::vec3> places = {}) {
+void record_passes(size_t slot, vkpt::Change change = vkpt::Change::Something,
+                   std::span<const glm::vec3> places = {}) {
     gpu::FrameCommands& commands = shared->slots[slot];
     commands.begin();
-    shared->guiding.record(commands, slot, vkpt::Change::Something, places);
+    shared->guiding.record(commands, slot, change, places);
     commands.submit(VK_NULL_HANDLE, 0, VK_NULL_HANDLE);
 }
 
@@ -184,7 +185,8 @@ void GuidingTest::upload() {
 }
 
 void GuidingTest::run_passes(std::span<const glm::vec3> places) {
-    record_passes(0, places);
+    record_passes(0, appears_ ? vkpt::Change::NewLights : vkpt::Change::Something, places);
+    appeared_ = appears_;
     shared->slots[0].finish();
     statistics_ = guiding().statistics(0);
 }
@@ -208,7 +210,7 @@ void GuidingTest::ask_oracle() {
         {settings_.split, settings_.collapse, header.node_capacity, shader::OCTREE_MAX_DEPTH});
     caches_ = make_caches(state_.inner, samples,
                           {settings_.bucket, settings_.small_bucket, settings_.merge_faces,
-                           header.vlc_most, settings_.weigh != 0, settings_.persist});
+                           header.vlc_most, settings_.weigh != 0, settings_.persist, appeared_});
     if (cdq_bits_ == 0) return;
     quadtrees_.clear();
     shares_.clear();

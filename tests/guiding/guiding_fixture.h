@@ -59,6 +59,7 @@ protected:
     shader::GuidingWork statistics_{}; // seen in the last frame
     shader::GuidingSettings settings_{};
     uint32_t first_cache_part_ = 1; // start() makes room for all caches
+    bool appears_ = false;          // a light does in the next frame
 
 private:
     static void restart();
@@ -74,6 +75,7 @@ private:
     Dice garbage_{99};
     uint32_t picture_size_ = 0;
     uint32_t cdq_bits_ = 0;
+    bool appeared_ = false; // a light did in the frame whose samples the next one learns from
     int frame_ = 0;
 };
 

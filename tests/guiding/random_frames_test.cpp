@@ -5,6 +5,9 @@
 #include "numerics/record.h"
 #include "shared/octree.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace vigil::test {
 namespace {
 
@@ -184,6 +187,26 @@ TEST_F(GuidingTest, MillionsOfSamplesInOneLeaf) {
     }
     record("octree", "3 million and 2^29 samples in one leaf, none elsewhere",
            "octree and caches of the plain implementation; what has no room is counted");
+}
+
+TEST_F(GuidingTest, LightsThatAppearDoNotTellWhatCachesLack) {
+    start(settings_with(16, 3));
+    for (uint32_t seed = 1; seed <= 6; ++seed) {
+        Dice dice(seed);
+        const bool appeared = std::exchange(appears_, seed % 3 != 0);
+        const TreeState before =
+            random_samples(dice, random_tree(dice, 60, 0.3), {}, settings_, guiding().header());
+        state_ = before;
+        frame();
+        if (HasFatalFailure()) return;
+        const auto changed = std::ranges::count_if(before.leaves, [&](const auto& entry) {
+            return caches_.by_leaf.at(entry.first).explored.found != entry.second.explored.found;
+        });
+        if (appeared)
+            EXPECT_EQ(changed, 0);
+        else
+            EXPECT_GT(changed, 20);
+    }
 }
 
 TEST_F(GuidingTest, ThresholdsOfOneAndOfTwoToThe31) {

@@ -42,7 +42,7 @@ Lights visible_lights(std::span<const uint32_t> kept) {
 
 /// Second moments over the last 48 draws or so, and the share of draws with the least of both
 /// together.
-Explored explore(const Explored& before, std::span<const uint32_t> kept) {
+Explored explore(const Explored& before, std::span<const uint32_t> kept, bool appeared) {
     double listed = 0.0, found = 0.0, cached = 0.0, squares = 0.0;
     for (const size_t place : sample_places(kept.size(), shader::VLC_MOST_SAMPLES)) {
         const uint32_t sample = kept[place];
@@ -57,6 +57,7 @@ Explored explore(const Explored& before, std::span<const uint32_t> kept) {
         case 1: // by the table
             break;
         case 2: // by a list
+            if (appeared) break;
             listed += 1.0;
             found += worth * worth;
             break;
@@ -210,9 +211,10 @@ Caches make_caches(const InnerNodes& inner, const ByPath<LeafSamples>& samples,
             fill_table(visible_lights(leaf_samples.kept), table_buckets(processed, limits.bucket),
                        limits.bucket, caches.lights_left_out);
         caches.by_leaf[leaf].own = lights_in(table);
-        caches.by_leaf[leaf].explored = leaf_samples.count > 0
-                                            ? explore(leaf_samples.explored, leaf_samples.kept)
-                                            : leaf_samples.explored;
+        caches.by_leaf[leaf].explored =
+            leaf_samples.count > 0
+                ? explore(leaf_samples.explored, leaf_samples.kept, limits.appeared)
+                : leaf_samples.explored;
     }
 
     // All caches together fit in the buffer, even if every leaf that has samples or had a cache

@@ -31,6 +31,7 @@ struct CacheLimits {
     uint32_t vlc_capacity; // light ids that fit in all caches
     bool weigh = false;    // buckets are drawn by what draws brought
     uint32_t persist = 0;  // frames that lights stay after they were seen; 0: as in the paper
+    bool appeared = false; // a light appeared in the frame: draws from lists do not count
 };
 
 /// What draws were worth (guiding_types.h, ExploreMemory).

@@ -368,6 +368,8 @@ FAULTS = [
     Fault("caches: what buckets bring is 3% too much", "shaders/guiding/vlc_deduplicate.comp",
           "const float unit = probability * exp2(", "const float unit = 1.03 * probability * exp2(",
           GUIDING, "GuidingTest.RandomTreesOfAllSizes"),
+    Fault("caches: a light that appeared counts as one that caches lack", "shaders/guiding/vlc_deduplicate.comp",
+          "if (settings.appeared == 0u) draws", "draws", GUIDING, "GuidingTest.LightsThatAppearDoNotTellWhatCachesLack"),
     Fault("caches: joined buckets count as one", "shaders/guiding/vlc_merge.comp",
           "        memory.root += part.root;", "        memory.root = part.root;",
           GUIDING, "GuidingTest.RandomTreesOfAllSizes"),

@@ -447,7 +447,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
     header_.guides = guides() ? 1 : 0;
     // Without caches there is nothing else to learn from.
     header_.stores = teaches() && (options_.lights || header_.guides != 0) ? 1 : 0;
-    header_.explores = change == Change::NewLights ? 1 : 0;
+    header_.explores = change == Change::NewLights && !restart_ ? 1 : 0;
     const bool starts = restart_;
     const bool learns = before.stores != 0 || starts;
     const bool grown = learns && follow_needs(commands, slot);
@@ -461,18 +461,22 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
                           offsetof(shader::GuidingHeader, stores),
                           sizeof(shader::GuidingHeader) - offsetof(shader::GuidingHeader, stores),
                           &header_.stores);
-    if (learns) learn(commands, slot, before.guides != 0 || starts);
+    if (learns) {
+        shader::GuidingSettings settings = options_.settings;
+        settings.unguided = before.guides != 0 || starts ? 0 : 1;
+        settings.appeared = before.explores;
+        if (options_.half_merged) settings.merge_faces &= half_of_faces[learned_++ % 2];
+        learn(commands, slot, settings);
+    }
     if (starts) counted_.at(slot) = false; // those samples are only expected
 }
 
-void Guiding::learn(gpu::FrameCommands& commands, size_t slot, bool guided) {
+void Guiding::learn(gpu::FrameCommands& commands, size_t slot,
+                    const shader::GuidingSettings& settings) {
     counted_.at(slot) = true;
     const VkBufferCopy whole{0, 0, sizeof(shader::GuidingWork)};
     vkCmdCopyBuffer(commands.commands(), first_work_.handle(), work_.handle(), 1, &whole);
     const VkDescriptorSet set = trees_[current_].passes.handle();
-    shader::GuidingSettings settings = options_.settings;
-    settings.unguided = guided ? 0 : 1;
-    if (options_.half_merged) settings.merge_faces &= half_of_faces[learned_++ % 2];
     const gpu::Inputs inputs{std::span(&set, 1), gpu::bytes_of_value(settings)};
     const gpu::WorkGroups nodes{{(header_.node_capacity + 63) / 64, 1, 1}};
     // A work group for each entry of a list that the passes have made.

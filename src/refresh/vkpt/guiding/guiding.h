@@ -124,7 +124,7 @@ private:
     void follow_gain(const shader::GuidingWork& work);
     /// Frames of which one is enough, by what a frame counted.
     uint32_t turn_for(const shader::GuidingWork& work) const;
-    void learn(gpu::FrameCommands& commands, size_t slot, bool guided);
+    void learn(gpu::FrameCommands& commands, size_t slot, const shader::GuidingSettings& settings);
 
     const gpu::Device& device_;
     gpu::Buffer unused_;
