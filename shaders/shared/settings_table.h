@@ -134,7 +134,7 @@
     GPU_INTEGER(pt_guide_directions, Archived, Reference, 2, 1, 16, \
         "Guided rays: Directions weighed by the BRDF and what is known. One of them gets the ray. 1: as in the paper.") \
     REAL(pt_guide_gain, Archived, Reference, 0.06, 0.0, 1.0, \
-        "Guided rays: Part of the spread of indirect light that they must take away. Else one frame of eight has them. 0: All have.") \
+        "Guided rays: Part of the spread of indirect light that they must take away. Else one frame of eight has them, or of two while guiders begin. 0: All have.") \
     INTEGER(pt_cdq_adapt, Archived, Reference, 1, 0, 1, \
         "Guided rays: 1: Each node of the octree learns that share from what its rays brought, and begins with pt_cdq_brdf. 0: It is pt_cdq_brdf everywhere.") \
     REAL(pt_cdq_margin, Archived, Reference, 0.25, 0.0, 1.0, \

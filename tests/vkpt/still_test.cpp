@@ -162,17 +162,19 @@ TEST_P(StillTest, LearningRestsUntilSomethingChanges) {
 TEST_P(StillTest, GuidersThatGainTooLittleDrawFewRays) {
     set("pt_guide", "cdq");
     set("pt_cdq_rays", "1"); // they soon know what there is to know
-    const auto guided_frames = [&](std::string_view gain) {
+    const auto guided_frames = [&](std::string_view gain, float spot_step = 0.0f) {
         set("pt_guide_gain", gain);
         renderer().reset_guiding();
         int count = 0;
         for (int frame = 0; frame < 48; ++frame) {
+            shot_.spots[0].origin.x += spot_step;
             render();
             if (frame >= 16) count += renderer().guiding().header().guides != 0 ? 1 : 0;
         }
         return count;
     };
     EXPECT_EQ(guided_frames("1"), 4); // of 32
+    EXPECT_EQ(guided_frames("1", 0.1f), 16) << "a light that moves may bring them a gain";
     EXPECT_EQ(guided_frames("0"), 32);
 }
 

@@ -404,6 +404,8 @@ FAULTS = [
     Fault("guiding takes turns where surfaces are new", "src/refresh/vkpt/guiding/guiding.cpp",
           "if (unexpected > 0)", "if (unexpected > samples_per_unexpected * work.samples)", ENTITIES,
           "*StillTest.LearningTakesTurns/bvh"),
+    Fault("all frames are guided while lights move", "src/refresh/vkpt/guiding/guiding.cpp",
+          "if (age_ < guide_frames)", "if (frames_ < guide_frames)", ENTITIES, "*StillTest.GuidersThatGainTooLittleDrawFewRays/bvh"),
     Fault("a light of every cluster's list is left out", "shaders/light/light_list.glsl",
           "LightList(cluster, range.x, range.y, 0u, range.y)",
           "LightList(cluster, range.x, max(range.y, 1u) - 1u, 0u, max(range.y, 1u) - 1u)",

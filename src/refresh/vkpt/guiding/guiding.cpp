@@ -430,14 +430,15 @@ bool Guiding::teaches() const {
 bool Guiding::guides() const {
     if (options_.least_gain <= 0.0 || gain_ >= options_.least_gain) return true;
     if (options_.settings.tail != 0) return true; // it is learned from guided rays
-    if (frames_ < guide_frames) return true;
+    if (age_ < guide_frames) return true;
     if (rests()) return teaches();
-    return frames_ % (guiders_begin_ ? guide_turn_begin : guide_turn) == 0;
+    return age_ % (guiders_begin_ ? guide_turn_begin : guide_turn) == 0;
 }
 
 void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
                      std::span<const glm::vec3> places) {
     still_frames_ = change == Change::Nothing && !restart_ ? still_frames_ + 1 : 0;
+    age_ = restart_ ? 0 : age_ + 1;
     frames_ = change >= Change::Lights || restart_ ? 0 : frames_ + 1;
     if (frames_ == 0) {
         guide_rays_ = 0;

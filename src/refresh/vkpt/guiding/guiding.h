@@ -142,6 +142,7 @@ private:
     bool restart_ = true;
     uint32_t still_frames_ = 0; // since something changed, or the octree began
     uint32_t frames_ = 0;       // since Change::Lights, or the octree began
+    uint32_t age_ = 0;          // frames since the octree began
     uint64_t guide_rays_ = 0;   // that were to teach guiders since then
     bool guiders_begin_ = true; // they learn from each frame that they draw rays of
     double gain_ = 1.0;         // of guiders, lately: 1 - the ratio of both spreads (GuidingWork)
