@@ -158,7 +158,7 @@ class Levels(unittest.TestCase):
         return report("quality", {}) | {"parts": [{"part": "x", "level": "x", "baseline": "sll", "rows": [row(label) for label in labels]}]}
 
     def test_tables_have_all_rows_in_the_order_of_the_page(self):
-        joined = levels.join([self.report("preset paper", *reversed(levels.ROWS[:7]), "vlc+cdq", "vlc")])
+        joined = levels.join(None, self.report("preset paper", *reversed(levels.ROWS[:7]), "vlc+cdq", "vlc"))
         self.assertEqual([row["label"] for row in joined["parts"][0]["rows"]], list(levels.ROWS))
         self.assertNotIn("pass_ms", joined["parts"][0]["rows"][0])
         self.assertEqual(joined["parts"][0]["rows"][0]["mse"]["by_view_and_seed"][0][0], 1.235)
@@ -169,7 +169,21 @@ class Levels(unittest.TestCase):
 
     def test_a_missing_row_is_named(self):
         with self.assertRaisesRegex(ValueError, "x: no row paper, vlc$"):
-            levels.join([self.report(*levels.ROWS[:7], "vlc+cdq")])
+            levels.join(None, self.report(*levels.ROWS[:7], "vlc+cdq"))
+
+    def test_a_level_takes_the_place_of_its_former_self(self):
+        first, again = self.report(*levels.ROWS), self.report(*levels.ROWS) | {"commit": "def"}
+        other = self.report(*levels.ROWS)
+        other["parts"][0]["part"] = "y"
+        joined = levels.join(levels.join(levels.join(None, first), other), again)
+        self.assertEqual([(part["part"], part["commit"]) for part in joined["parts"]], [("x", "def"), ("y", "abc")])
+
+    def test_levels_are_measured_alike(self):
+        joined = levels.join(None, self.report(*levels.ROWS))
+        with self.assertRaisesRegex(ValueError, "^width is 2, and 1 in "):
+            levels.join(joined, self.report(*levels.ROWS) | {"width": 2})
+        with self.assertRaisesRegex(ValueError, "not finished"):
+            levels.join(joined, self.report(*levels.ROWS) | {"finished": False})
 
     def test_tables_are_put_where_the_page_has_their_names(self):
         page = "# A\n\n<!--table a-->\n| old |\n| --- |\n\n<!--table b-->\n| kept |\n\nText\n"
