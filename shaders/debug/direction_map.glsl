@@ -14,7 +14,7 @@ layout(set = SET_SCENE, binding = BINDING_DIRECTION_MAP, scalar) restrict buffer
 
 PrimaryHit crosshair_hit() {
     const uvec2 pixel = crosshair_pixel(frame.size);
-    return primary_hits[pixel.y * frame.size.x + pixel.x];
+    return load_primary_hit(pixel.y * frame.size.x + pixel.x);
 }
 
 #endif

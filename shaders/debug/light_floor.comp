@@ -25,7 +25,7 @@ void main() {
     const uint row = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     if (number >= pixels.length()) return;
     const uint index = pixels[number];
-    const PrimaryHit hit = primary_hits[index];
+    const PrimaryHit hit = load_primary_hit(index);
     LightFloorValue value = LightFloorValue(0.0, 0.0, 0.0, vec3(0.0), vec3(0.0));
     if (hit.primitive != NONE) {
         const Surface surface = load_primary_surface(hit);

@@ -29,14 +29,14 @@ vec3 octree_color(Surface surface, float facing) {
 
 vec3 technique_color(uint flags) {
     if (samples_lights == 0u) return VIEW_OFF;
-    const bool zero = (flags & PRIMARY_HIT_UNLIT) != 0u;
-    if ((flags & PRIMARY_HIT_EXPLORED) != 0u) return zero ? VIEW_EXPLORED_ZERO : VIEW_EXPLORED;
+    const bool zero = (flags & PIXEL_UNLIT) != 0u;
+    if ((flags & PIXEL_EXPLORED) != 0u) return zero ? VIEW_EXPLORED_ZERO : VIEW_EXPLORED;
     return zero ? VIEW_CACHE_ZERO : VIEW_CACHE;
 }
 
 vec3 zero_color(uint flags, float facing) {
     if (samples_lights == 0u) return VIEW_OFF;
-    if ((flags & PRIMARY_HIT_UNLIT) != 0u) return VIEW_ZERO_SAMPLE;
+    if ((flags & PIXEL_UNLIT) != 0u) return VIEW_ZERO_SAMPLE;
     return (0.5 + 0.5 * facing) * VIEW_LIT_SAMPLE;
 }
 
@@ -53,9 +53,10 @@ vec3 guiding_color(int view, Surface surface, float facing) {
 
 /// Colour of a pixel, sRGB. `picture` is what it would be without a view.
 vec3 view_color(uvec2 pixel, vec3 picture) {
-    const PrimaryHit hit = primary_hits[pixel.y * frame.size.x + pixel.x];
+    const PrimaryHit hit = load_primary_hit(pixel.y * frame.size.x + pixel.x);
+    const uint flags = pixel_flags[pixel.y * frame.size.x + pixel.x];
     const int view = frame.settings.pt_view;
-    if (view == VIEW_NONFINITE) return (hit.flags & PRIMARY_HIT_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
+    if (view == VIEW_NONFINITE) return (flags & PIXEL_NONFINITE) != 0u ? VIEW_BAD : VIEW_GOOD;
     const Surface surface = load_primary_surface(hit);
     if (view == VIEW_CDQ) {
         const PrimaryHit middle = crosshair_hit();
@@ -68,8 +69,8 @@ vec3 view_color(uvec2 pixel, vec3 picture) {
     case VIEW_SAMPLES:
     case VIEW_VLC_LIGHTS:
     case VIEW_VLC_BUCKETS: return guiding_color(view, surface, facing);
-    case VIEW_TECHNIQUE: return technique_color(hit.flags);
-    case VIEW_ZERO: return zero_color(hit.flags, facing);
+    case VIEW_TECHNIQUE: return technique_color(flags);
+    case VIEW_ZERO: return zero_color(flags, facing);
     case VIEW_ALBEDO: return pow(hit.albedo, vec3(1.0 / 2.2));
     case VIEW_NORMAL: return 0.5 + 0.5 * hit.normal;
     case VIEW_DEPTH: return vec3(view_depth_grey(distance(frame.camera_origin, hit.position)));

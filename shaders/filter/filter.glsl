@@ -7,7 +7,6 @@
 #include "scene/frame.glsl"
 #include "shared/brdf.h"
 #include "shared/filter_types.h"
-#include "trace/records.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -33,6 +32,16 @@ layout(set = SET_FILTER, binding = BINDING_FILTER_HISTORY_RECORDS) uniform utext
 layout(set = SET_FILTER, binding = BINDING_FILTER_STATISTICS_RECORDS) uniform utextureBuffer statistics_records;
 layout(set = SET_FILTER, binding = BINDING_FILTER_LIGHT_RECORDS) uniform utextureBuffer light_records;
 layout(set = SET_FILTER, binding = BINDING_FILTER_RESOLVED_RECORDS) uniform utextureBuffer resolved_records; // two pixels each
+
+layout(set = SET_SCENE, binding = BINDING_FILTER_INPUT_RECORDS) uniform utextureBuffer filter_input_records;
+
+/// Fields that a caller does not use cost no loads.
+FilterInput load_filter_input(uint index) {
+    const int at = int(index) * FILTER_INPUT_TEXELS;
+    const uvec4 a = texelFetch(filter_input_records, at), b = texelFetch(filter_input_records, at + 1),
+                c = texelFetch(filter_input_records, at + 2);
+    return FilterInput(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), c.w);
+}
 
 FilterSurface load_surface(uint index) {
     const uvec4 words = texelFetch(surface_records, int(index));

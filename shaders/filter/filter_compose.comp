@@ -8,7 +8,7 @@
 
 /// What a pixel's surface reflects, filtered.
 vec3 lit_surface(uint index) {
-    const PrimaryHit hit = primary_hits[index];
+    const PrimaryHit hit = load_primary_hit(index);
     if (hit.primitive == NONE) return vec3(0.0);
     const Light2 light = unpack_light(load_packed_light((filter_step & 1u) * frame.filter_capacity + index));
     return filter_albedo(hit) * (light.direct + light.indirect);
@@ -20,7 +20,7 @@ vec3 lit_layers(ivec2 pixel) {
     float count = 0.0;
     for (int i = 0; i < 9; ++i) {
         const ivec2 at = pixel + ivec2(i % 3 - 1, i / 3 - 1);
-        if (!inside_picture(at) || (primary_hits[pixel_index(at)].flags & PRIMARY_HIT_LAYERED) == 0u) continue;
+        if (!inside_picture(at) || load_filter_input(pixel_index(at)).layered == 0u) continue;
         sum += lit_surface(pixel_index(at));
         count += 1.0;
     }
@@ -31,8 +31,8 @@ void main() {
     uvec2 pixel;
     if (!pixel_of_side(pixel)) return;
     const uint index = pixel_index(ivec2(pixel));
-    const bool layered = (primary_hits[index].flags & PRIMARY_HIT_LAYERED) != 0u;
-    const vec3 value = filter_input[index].emission / float(path_count) + (layered ? lit_layers(ivec2(pixel)) : lit_surface(index));
+    const FilterInput seen = load_filter_input(index);
+    const vec3 value = seen.emission / float(path_count) + (seen.layered != 0u ? lit_layers(ivec2(pixel)) : lit_surface(index));
     if ((frame.filter_flags & FILTER_TAA) != 0u) filter_light[composed_index(index)] = uvec4(pack_color(value), 0u, 0u);
     else radiance[index] = value * float(path_count);
 }

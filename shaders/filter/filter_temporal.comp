@@ -25,9 +25,10 @@ vec3 indirect_around(ivec2 pixel, PrimaryHit hit, FilterSurface surface, float b
         const ivec2 at = pixel + ((i & 1) == 0 ? ivec2(side, 0) : ivec2(0, side));
         if (!same_side(at, pixel)) continue;
         const uint index = pixel_index(at);
-        if (primary_hits[index].primitive == NONE || primary_hits[index].instance != hit.instance) continue;
-        if (abs(dot(primary_hits[index].position - hit.position, hit.normal)) > tolerance) continue;
-        sum += filter_input[index].indirect;
+        const PrimaryHit other = load_primary_hit(index);
+        if (other.primitive == NONE || other.instance != hit.instance) continue;
+        if (abs(dot(other.position - hit.position, hit.normal)) > tolerance) continue;
+        sum += load_filter_input(index).indirect;
         count += 1.0;
     }
     return count > 0.0 ? sum / (count * float(path_count)) : vec3(brightness);
@@ -37,7 +38,7 @@ void main() {
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size))) return;
     const uint index = pixel_index(ivec2(pixel));
-    const PrimaryHit hit = primary_hits[index];
+    const PrimaryHit hit = load_primary_hit(index);
     FilterSurface surface = FilterSurface(0u, 0.0, 0u, 0u);
     if (hit.primitive == NONE) {
         filter_surfaces[this_half() + index] = surface;
@@ -47,13 +48,14 @@ void main() {
     surface.facing = pack_facing(hit.normal, hit.gloss);
     surface.depth = max(dot(hit.position - frame.camera_origin, frame.camera_forward), 1e-3);
     surface.id = hit.instance;
-    surface.brightness = packHalf2x16(sample_brightness(index));
+    const FilterInput seen_now = load_filter_input(index);
+    surface.brightness = packHalf2x16(sample_brightness(seen_now));
     filter_surfaces[this_half() + index] = surface;
 
     // Dim what is far brighter than what is known of the place.
     Past past = find_past(hit, surface);
-    vec3 direct = filter_input[index].direct / float(path_count);
-    vec3 indirect = filter_input[index].indirect / float(path_count);
+    vec3 direct = seen_now.direct / float(path_count);
+    vec3 indirect = seen_now.indirect / float(path_count);
     vec2 changed = vec2(0.0);
     if ((frame.filter_flags & FILTER_CHANGES) != 0u) changed = vec2(changed_around(ivec2(pixel), 1).x, changed_around(ivec2(pixel), 3).y);
     past.frames *= vec2(1.0) - step(vec2(0.95), changed);
@@ -88,8 +90,8 @@ void main() {
     joined.direct = pack_color(mean_direct);
     joined.indirect = pack_color(mean_indirect);
     filter_history[this_half() + index] = joined;
-    filter_statistics[this_half() + index] = FilterStatistics(packHalf2x16(sqrt(second_moments)), packHalf2x16(1.0 / share),
-                                                              filter_input[index].direct_light, filter_input[index].indirect_light);
+    filter_statistics[this_half() + index] =
+        FilterStatistics(packHalf2x16(sqrt(second_moments)), packHalf2x16(1.0 / share), seen_now.direct_light, seen_now.indirect_light);
 
     // How far the means may be off: from their own past, or, while that is short, from the tiles around.
     const bvec2 young = lessThan(frames, vec2(YOUNG));

@@ -22,15 +22,13 @@ void main() {
         const ivec2 pixel = FILTER_TILE * place + ivec2(i % FILTER_TILE, i / FILTER_TILE);
         if (!inside_picture(pixel)) continue;
         const uint index = pixel_index(pixel);
-        if (primary_hits[index].primitive != NONE) {
-            const vec2 bright = sample_brightness(index);
+        if (load_primary_hit(index).primitive != NONE) {
+            const FilterInput seen = load_filter_input(index);
+            const vec2 bright = sample_brightness(seen);
             tile.mean += bright;
             tile.second_moments += bright * bright;
             count += vec2(1.0, has_indirect_turn(uvec2(pixel), indirect_turn) ? 1.0 : 0.0);
-            if (changes)
-                tile.changed +=
-                    vec4(bright * vec2(light_change(filter_input[index].direct_light), light_change(filter_input[index].indirect_light)),
-                         bright);
+            if (changes) tile.changed += vec4(bright * vec2(light_change(seen.direct_light), light_change(seen.indirect_light)), bright);
         }
         if (!changes || !has_past) continue;
         const FilterSurface last = load_surface(last_half() + index);

@@ -17,7 +17,7 @@ vec3 normal_before(vec3 normal, uint instance) {
 
 /// What a pixel shows in this frame, in the picture of the frame before (project_last); sky is infinitely far away.
 bool place_before(ivec2 pixel, out vec2 place) {
-    const PrimaryHit hit = primary_hits[pixel_index(pixel)];
+    const PrimaryHit hit = load_primary_hit(pixel_index(pixel));
     if (hit.primitive == NONE) return project_last(camera_ray(vec2(pixel) + turn.pixel_point), place);
     return project_last(offset_before(hit.position, hit.instance), place);
 }

@@ -25,9 +25,7 @@ uint tile_index(ivec2 tile) { return uint(tile.y) * tile_count().x + uint(tile.x
 ivec2 tile_near(ivec2 pixel, ivec2 step) { return clamp(pixel / FILTER_TILE + step, ivec2(0), ivec2(tile_count()) - 1); }
 
 /// Luminances of the frame's samples, direct and indirect.
-vec2 sample_brightness(uint index) {
-    return min(luminances(filter_input[index].direct, filter_input[index].indirect) / float(path_count), vec2(FILTER_MAX));
-}
+vec2 sample_brightness(FilterInput seen) { return min(luminances(seen.direct, seen.indirect) / float(path_count), vec2(FILTER_MAX)); }
 
 /// How bright samples are around a pixel, in the four nearest tiles: means and means of squares, direct and indirect.
 void brightness_around(ivec2 pixel, out vec2 mean, out vec2 second_moments) {

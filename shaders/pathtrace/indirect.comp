@@ -78,13 +78,14 @@ void main() {
     uvec2 pixel;
     uint index;
     if (!pixel_of_indirect_invocation(pixel, index)) return;
-    const PrimaryHit hit = primary_hits[index];
+    const PrimaryHit hit = load_primary_hit(index);
     if (hit.primitive == NONE) return;
     Random random = path_random(pixel, STREAM_INDIRECT);
     uint light;
     const vec3 gathered = trace_path(load_primary_surface(hit), random, light);
     add_radiance(index, gathered, false);
     if (frame.filter_flags == 0u) return;
-    filter_input[index].indirect = radiance_sum(filter_input[index].indirect, gathered / filter_albedo(hit));
+    const vec3 before = path_index > 0u ? filter_input[index].indirect : vec3(0.0);
+    filter_input[index].indirect = radiance_sum(before, gathered / filter_albedo(hit));
     if (path_index == 0u) filter_input[index].indirect_light = light;
 }

@@ -76,7 +76,6 @@ void main() {
 
     PrimaryHit stored;
     stored.primitive = NONE;
-    stored.flags = 0u;
     vec3 emission = vec3(0.0);
     Hit hit;
     const uint seed = random_next_words(random).x;
@@ -91,7 +90,6 @@ void main() {
             emission = vertex.sky ? sky_radiance(ray.direction) : vertex.emission;
         }
     }
-    if (layered) stored.flags = PRIMARY_HIT_LAYERED;
     if (seen && vertex.lit) {
         stored.position = vertex.surface.position;
         stored.normal = vertex.surface.normal;
@@ -101,13 +99,14 @@ void main() {
         stored.gloss = packHalf2x16(vec2(vertex.surface.brdf.alpha, vertex.surface.brdf.f0));
     }
     // What was found not to be finite stays marked while its frame, or its mean, is made.
-    if (path_index > 0u || turn.accumulated > 0u) stored.flags |= primary_hits[index].flags & PRIMARY_HIT_NONFINITE;
+    pixel_flags[index] = path_index > 0u || turn.accumulated > 0u ? pixel_flags[index] & PIXEL_NONFINITE : 0u;
     primary_hits[index] = stored;
     add_radiance(index, emission, path_index == 0u);
     if (frame.filter_flags != 0u) {
-        FilterInput start = FilterInput(vec3(0.0), vec3(0.0), vec3(0.0), NONE, NONE);
+        FilterInput start = FilterInput(vec3(0.0), 0u, vec3(0.0), NONE, vec3(0.0), NONE);
         if (path_index > 0u) start = filter_input[index];
         start.emission = radiance_sum(start.emission, emission);
+        start.layered = layered ? 1u : 0u;
         filter_input[index] = start;
     }
 }

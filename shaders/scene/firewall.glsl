@@ -13,7 +13,7 @@ uint firewall_pixel = NONE;
 void count_nonfinite() {
     // Stops below the top: a count that has come round to 0 would say that all is well.
     if (counters.nonfinite < 0xf0000000u) atomicAdd(counters.nonfinite, 1u);
-    if (firewall_pixel != NONE) primary_hits[firewall_pixel].flags |= PRIMARY_HIT_NONFINITE;
+    if (firewall_pixel != NONE) pixel_flags[firewall_pixel] |= PIXEL_NONFINITE;
 }
 
 float finite_or_zero(float value) {

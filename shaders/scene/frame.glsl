@@ -9,6 +9,7 @@
 #include "shared/frame_params.h"
 #include "shared/indirect_turn.h"
 #include "shared/scene_types.h"
+#include "trace/records.glsl"
 
 // Constants 0 and 1 belong to trace/trace.glsl.
 layout(constant_id = CONSTANT_SKY) const bool HAS_SKY = true;
@@ -19,7 +20,9 @@ layout(constant_id = CONSTANT_GUIDER_SIZE) const uint GUIDER_SIZE = 0u;        /
 
 layout(set = SET_SCENE, binding = BINDING_FRAME, scalar) uniform FrameBlock { FrameParams frame; };
 
-layout(set = SET_SCENE, binding = BINDING_SURFACES, scalar) restrict buffer PrimaryHitBlock { PrimaryHit primary_hits[]; };
+layout(set = SET_SCENE, binding = BINDING_SURFACES, scalar) restrict writeonly buffer PrimaryHitBlock { PrimaryHit primary_hits[]; };
+layout(set = SET_SCENE, binding = BINDING_SURFACE_RECORDS) uniform utextureBuffer primary_hit_records; // the same to read
+layout(set = SET_SCENE, binding = BINDING_PIXEL_FLAGS, scalar) restrict buffer PixelFlagBlock { uint pixel_flags[]; };
 // Sum over this frame's paths; divided by pt_spp when it is accumulated.
 layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer RadianceBlock { vec3 radiance[]; };
 
@@ -27,6 +30,14 @@ layout(set = SET_SCENE, binding = BINDING_RADIANCE, scalar) restrict buffer Radi
 layout(set = SET_SCENE, binding = BINDING_FILTER_INPUT, scalar) restrict buffer FilterInputBlock { FilterInput filter_input[]; };
 
 layout(set = SET_SCENE, binding = BINDING_COUNTERS, scalar) restrict buffer CounterBlock { FrameCounters counters; };
+
+/// Fields that a caller does not use cost no loads.
+PrimaryHit load_primary_hit(uint index) {
+    const int at = int(index) * PRIMARY_HIT_TEXELS;
+    const uvec4 a = texelFetch(primary_hit_records, at), b = texelFetch(primary_hit_records, at + 1),
+                c = texelFetch(primary_hit_records, at + 2);
+    return PrimaryHit(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), c.w);
+}
 
 // The fields of PassConstants (shared/frame_params.h), of which passes that belong to no side need path_count and turn.
 layout(push_constant, scalar) uniform PushBlock {

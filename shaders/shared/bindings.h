@@ -21,7 +21,7 @@
 #define BINDING_TEXELS 8                  // W, uint[], RGB9E5: scene/scene.glsl
 #define BINDING_LIGHTS 9                  // R, Light[]: scene/scene.glsl
 #define BINDING_BSP 10                    // R, BspTreeNode[]: scene/surface.glsl
-#define BINDING_LTC 11                    // LTC tables: light/ltc.glsl
+#define BINDING_LTC 11                    // R, LtcEntry[]: light/ltc.glsl
 #define BINDING_SURFACES 12               // PrimaryHit[]: scene/frame.glsl
 #define BINDING_RADIANCE 13               // this frame's radiance: scene/frame.glsl
 #define BINDING_ACCUMULATION 14           // running mean: post/picture.glsl
@@ -30,8 +30,11 @@
 #define BINDING_DISPLAY 17                // finished picture, RGBA8: post/picture.glsl
 #define BINDING_DIRECTION_MAP 18          // radiance that arrives at the crosshair: debug/direction_map.glsl
 #define BINDING_FILTER_INPUT 19           // FilterInput[]: scene/frame.glsl
-#define BINDING_ACCELERATION_STRUCTURE 20 // only with ray query: trace/trace_query.glsl
-#define SCENE_BINDING_COUNT 21
+#define BINDING_PIXEL_FLAGS 20            // PIXEL_*: scene/frame.glsl
+#define BINDING_SURFACE_RECORDS 21        // R, BINDING_SURFACES again: scene/frame.glsl
+#define BINDING_FILTER_INPUT_RECORDS 22   // R, BINDING_FILTER_INPUT again: filter/filter.glsl
+#define BINDING_ACCELERATION_STRUCTURE 23 // only with ray query: trace/trace_query.glsl
+#define SCENE_BINDING_COUNT 24
 
 // Specialisation constants, the same in every shader that has them.
 #define CONSTANT_INSTANCES 0   // models are placed: trace/trace.glsl

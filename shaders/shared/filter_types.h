@@ -10,12 +10,14 @@ SHADER_BEGIN
 
 /// What the path tracer writes for the filter: sums over the frame's paths.
 struct FilterInput {
-    vec3 emission; // seen directly
-    vec3 direct;   // light that the primary hit reflects, divided by its filter_albedo()
+    vec3 emission;     // seen directly
+    uint layered;      // 1 where the pixel shows one of several surfaces behind each other
+    vec3 direct;       // light that the primary hit reflects, divided by its filter_albedo()
+    uint direct_light; // id of the light that the first path's sample drew at the primary hit, or NONE
     vec3 indirect;
-    uint direct_light;   // id of the light that the first path's sample drew at the primary hit, or NONE
     uint indirect_light; // the same where its first indirect ray ended
 };
+SHADER_CONST int FILTER_INPUT_TEXELS = 3;
 
 /// What a pixel shows, of this frame and of the one before.
 struct FilterSurface {

@@ -28,7 +28,9 @@ struct LtcSurface {
 struct LtcEntry {
     vec4 matrix; // the inverse transformation [a 0 b; 0 1 0; c 0 d] as (a, b, c, d)
     vec2 albedo; // directional albedo = f0 * x + y (Schlick)
+    SHADER_PADDING(2)
 };
+SHADER_CONST int LTC_ENTRY_TEXELS = 2;
 
 /// angle / sin(angle) / 2 of an angle in [0, pi] from its cosine and its sine squared. Maximal
 /// relative error 3e-6 plus that of its arguments (degree 6 minimax polynomial for angles up to pi

@@ -107,18 +107,18 @@ SHADER_CONST int BSP_NODE_TEXELS = 2;
 /// What a camera ray hit; written by the primary pass, read by the passes after it.
 struct PrimaryHit {
     vec3 position;
-    vec3 normal;    // unit, of the side that was hit
-    vec3 albedo;    // linear
     uint primitive; // NONE: nothing to light (sky, miss, the inside of a wall)
+    vec3 normal;    // unit, of the side that was hit
     uint instance;
-    uint gloss; // packHalf2x16(GGX alpha, to 2^-11 of itself; reflectance at normal incidence, to 2^-12)
-    uint flags; // PRIMARY_HIT_*
+    vec3 albedo; // linear
+    uint gloss;  // packHalf2x16(GGX alpha, to 2^-11 of itself; reflectance at normal incidence, to 2^-12)
 };
+SHADER_CONST int PRIMARY_HIT_TEXELS = 3;
 
-SHADER_CONST uint PRIMARY_HIT_NONFINITE = 1u; // a path through this pixel gave a value that was not finite
-SHADER_CONST uint PRIMARY_HIT_UNLIT = 2u;     // its light sample contributed nothing
-SHADER_CONST uint PRIMARY_HIT_EXPLORED = 4u;  // its light sample looked for a new light
-SHADER_CONST uint PRIMARY_HIT_LAYERED = 8u;   // one of several surfaces behind each other that the pixel shows
+/// What became of a pixel's paths in this frame: of its last path, but for PIXEL_NONFINITE.
+SHADER_CONST uint PIXEL_NONFINITE = 1u; // a value was not finite
+SHADER_CONST uint PIXEL_UNLIT = 2u;     // the light sample of the primary hit contributed nothing
+SHADER_CONST uint PIXEL_EXPLORED = 4u;  // it looked for a new light
 
 /// A triangle that emits `radiance` (uniform, Lambertian) from its front side, in world space this frame.
 /// Its index is its id and stays the same while the light exists; free ids have zero radiance.

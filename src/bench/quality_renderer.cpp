@@ -190,12 +190,14 @@ Measurement QualityRenderer::measure(const Place& place, const QualityRow& row, 
     const vkpt::FrameBuffers& buffers = renderer_->buffers();
     const std::uint64_t pixels = std::uint64_t{buffers.size().x} * buffers.size().y;
     std::size_t hits = 0, unlit = 0, explored = 0;
-    for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
-             renderer_->device(), buffers.primary_hits(), 0, pixels)) {
-        if (hit.primitive == shader::NONE) continue;
+    const std::vector<shader::PrimaryHit> surfaces = this->surfaces();
+    const auto flags =
+        gpu::download_now_as<std::uint32_t>(renderer_->device(), buffers.pixel_flags(), 0, pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (surfaces[i].primitive == shader::NONE) continue;
         ++hits;
-        unlit += (hit.flags & shader::PRIMARY_HIT_UNLIT) != 0;
-        explored += (hit.flags & shader::PRIMARY_HIT_EXPLORED) != 0;
+        unlit += (flags[i] & shader::PIXEL_UNLIT) != 0;
+        explored += (flags[i] & shader::PIXEL_EXPLORED) != 0;
     }
     const bool samples = renderer_->technique()->samples_lights() && hits > 0;
     const double total =

@@ -61,6 +61,8 @@ std::span<const Preset> presets() {
                      {"pt_spp", "1"},
                      {"pt_light_points", "4"},
                      {"pt_vlc_bucket", "16"},
+                     {"pt_vlc_adapt", "0"},
+                     {"pt_vlc_explore", "0.03"},
                      {"pt_indirect_rate", "half"}}),
         make_preset("balanced",
                     "The defaults. There is little noise anywhere, for one path a pixel.",

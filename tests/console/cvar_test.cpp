@@ -223,6 +223,8 @@ TEST(Cvar, QualitySurvivesQuitting) {
         {{{"pt_guide", "brdf"},
           {"pt_light_points", "4"},
           {"pt_vlc_bucket", "16"},
+          {"pt_vlc_adapt", "0"},
+          {"pt_vlc_explore", "0.03"},
           {"pt_indirect_rate", "half"}},
          {},
          "set pt_preset \"fast\"\n",
@@ -230,7 +232,9 @@ TEST(Cvar, QualitySurvivesQuitting) {
         {{{"pt_preset", "fast"}, {"pt_spp", "2"}},
          {},
          "set pt_guide \"brdf\"\nset pt_indirect_rate \"half\"\nset pt_light_points \"4\"\n"
-         "set pt_preset \"custom\"\nset pt_spp \"2\"\nset pt_vlc_bucket \"16\"\n",
+         "set pt_preset \"custom\"\nset pt_spp \"2\"\nset pt_vlc_adapt \"0\"\nset pt_vlc_bucket "
+         "\"16\"\n"
+         "set pt_vlc_explore \"0.03\"\n",
          "custom"},
         {{{"pt_preset", "fast"}, {"pt_preset", "balanced"}}, {}, "", "balanced"},
         {{{"pt_preset", "paper"}, {"pt_env_nee", "1"}, {"pt_env_nee", "0"}},

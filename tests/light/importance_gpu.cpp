@@ -61,7 +61,8 @@ ImportanceGpu::ImportanceGpu(const gpu::Device& device, const ImportanceScene& s
                gpu::MemoryUse::Device, "results"),
       words_(device, scene.queries.size() * sizeof(glm::uvec3), gpu::MemoryUse::Device, "words"),
       table_(gpu::make_buffer(device, gpu::bytes_of(ltc_table()), "ltc")) {
-    const std::vector<gpu::BindingKind> types(BINDING_LTC + 1, gpu::BindingKind::Storage);
+    std::vector<gpu::BindingKind> types(BINDING_LTC + 1, gpu::BindingKind::Storage);
+    types[BINDING_LTC] = gpu::BindingKind::Records;
     set_ = gpu::DescriptorSet(device, types, words_, "importance");
     set_.bind(0, queries_);
     set_.bind(1, lights_);

@@ -91,11 +91,7 @@ TEST_F(QueryPicture, FollowsTheFramesOfAModel) {
     shot.entities = {box};
     expect_equal_pictures(shot);
     const auto visible = [] {
-        const glm::uvec2 size = renderer().buffers().size();
-        const auto hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, size.x * size.y);
-        return std::count_if(hits.begin(), hits.end(),
-                             [](const shader::PrimaryHit& hit) { return hit.instance == 1; });
+        return std::ranges::count(primary_hits(), 1u, &shader::PrimaryHit::instance);
     };
     const auto low = visible();
     EXPECT_GT(low, 20);

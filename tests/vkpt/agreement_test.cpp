@@ -23,12 +23,6 @@ namespace {
 
 class Agreement : public RenderTest {
 protected:
-    static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().buffers().size();
-        return gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
-    }
-
     /// Results of probe.comp for these arguments.
     static std::vector<glm::vec4> probe(uint32_t function,
                                         const std::vector<glm::vec4>& arguments) {

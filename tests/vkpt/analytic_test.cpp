@@ -42,11 +42,8 @@ protected:
 
     /// Primary hits of the last frame; all of them must lie on the floor, z = 0.
     static std::vector<glm::dvec2> floor_points() {
-        const glm::uvec2 size = renderer().buffers().size();
         std::vector<glm::dvec2> points;
-        for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
-                 renderer().device(), renderer().buffers().primary_hits(), 0,
-                 uint64_t{size.x} * size.y)) {
+        for (const shader::PrimaryHit& hit : primary_hits()) {
             EXPECT_NE(hit.primitive, shader::NONE);
             EXPECT_NEAR(hit.position.z, 0.0f, 1e-2f);
             points.push_back({hit.position.x, hit.position.y});

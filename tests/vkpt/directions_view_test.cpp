@@ -36,11 +36,6 @@ protected:
         for (int i = 0; i < frames; ++i)
             renderer().render(shot_.frame());
     }
-    static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().buffers().size();
-        return gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
-    }
     static shader::PrimaryHit crosshair_hit() {
         const glm::uvec2 size = renderer().buffers().size();
         const glm::uvec2 pixel = shader::crosshair_pixel(size);
@@ -310,11 +305,13 @@ TEST_F(DirectionsView, TeachesNothing) {
         const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
         std::map<uint32_t, uint32_t> counted, hits_of_nodes;
         std::map<uint32_t, vkpt::LeafReport> reports;
-        for (const shader::PrimaryHit& hit : primary_hits()) {
-            if (hit.primitive == shader::NONE) continue;
-            const vkpt::LeafReport report = tree.leaf_at(hit.position, 32);
+        const std::vector<shader::PrimaryHit> hits = primary_hits();
+        const std::vector<uint32_t> flags = pixel_flags();
+        for (size_t i = 0; i < hits.size(); ++i) {
+            if (hits[i].primitive == shader::NONE) continue;
+            const vkpt::LeafReport report = tree.leaf_at(hits[i].position, 32);
             // One that explores has a second light sample.
-            counted[report.leaf] += hit.flags & shader::PRIMARY_HIT_EXPLORED ? 2 : 1;
+            counted[report.leaf] += flags[i] & shader::PIXEL_EXPLORED ? 2 : 1;
             ++hits_of_nodes[shader::octree_node_of(report.leaf)];
             reports.emplace(report.leaf, report);
         }

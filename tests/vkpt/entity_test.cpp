@@ -65,10 +65,6 @@ protected:
             EXPECT_EQ(rgb[i], first[static_cast<glm::length_t>(i % 3)]) << "value " << i;
         return first;
     }
-    static std::vector<shader::PrimaryHit> primary_hits() {
-        return gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, width * height);
-    }
 };
 
 TEST_P(EntityTest, GlowShowsToTheCameraAlone) {

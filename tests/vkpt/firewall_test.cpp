@@ -33,15 +33,9 @@ protected:
         return now - std::exchange(before_, now);
     }
 
-    static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().buffers().size();
-        return gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
-    }
     static size_t marked() {
-        return static_cast<size_t>(std::ranges::count_if(primary_hits(), [](const auto& hit) {
-            return (hit.flags & shader::PRIMARY_HIT_NONFINITE) != 0;
-        }));
+        return static_cast<size_t>(std::ranges::count_if(
+            pixel_flags(), [](uint32_t flags) { return (flags & shader::PIXEL_NONFINITE) != 0; }));
     }
 
     /// The octree's floats: what exploring brought, shares of guided rays, and sums of quadtrees of
@@ -97,10 +91,10 @@ TEST_F(Firewall, CountsShowsAndStopsWhatTheSkyBrings) {
         EXPECT_GE(events(), bad);
         // Where it was, the view says so.
         const refresh::Picture picture = renderer().read_picture(false);
-        const std::vector<shader::PrimaryHit> hits = primary_hits();
-        for (size_t i = 0; i < hits.size(); ++i) {
+        const std::vector<uint32_t> flags = pixel_flags();
+        for (size_t i = 0; i < flags.size(); ++i) {
             const bool shown = picture.rgba[4 * i] > 200 && picture.rgba[4 * i + 1] < 50;
-            ASSERT_EQ(shown, (hits[i].flags & shader::PRIMARY_HIT_NONFINITE) != 0) << "pixel " << i;
+            ASSERT_EQ(shown, (flags[i] & shader::PIXEL_NONFINITE) != 0) << "pixel " << i;
         }
         // A frame later nothing is left of it.
         frame.sky_radiance = glm::vec3(1.0f);

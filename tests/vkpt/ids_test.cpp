@@ -102,10 +102,8 @@ TEST_F(Ids, CachesForgetLightsWithOtherNumbers) {
     const auto explored = [&](bool stable) {
         std::ptrdiff_t pixels = 0;
         draw(stable, [&](const std::vector<float>&) {
-            const auto hits = gpu::download_now_as<shader::PrimaryHit>(
-                renderer().device(), renderer().buffers().primary_hits(), 0, 48 * 32);
-            pixels += std::ranges::count_if(hits, [](const shader::PrimaryHit& hit) {
-                return (hit.flags & shader::PRIMARY_HIT_EXPLORED) != 0;
+            pixels += std::ranges::count_if(pixel_flags(), [](uint32_t flags) {
+                return (flags & shader::PIXEL_EXPLORED) != 0;
             });
         });
         return pixels;

@@ -30,9 +30,7 @@ protected:
             renderer().render(shot_.frame());
     }
     static std::vector<shader::PrimaryHit> lit_hits() {
-        const glm::uvec2 size = renderer().buffers().size();
-        std::vector<shader::PrimaryHit> hits = gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
+        std::vector<shader::PrimaryHit> hits = primary_hits();
         std::erase_if(hits, [](const auto& hit) { return hit.primitive == shader::NONE; });
         return hits;
     }
@@ -65,10 +63,14 @@ TEST_F(GuidingReports, LeavesHoldTheHitsThatFellIntoThem) {
     const vkpt::TreeCopy tree(renderer().device(), renderer().guiding());
     std::map<uint32_t, uint32_t> counted;
     std::map<uint32_t, vkpt::LeafReport> reports;
-    for (const shader::PrimaryHit& hit : lit_hits()) {
+    const std::vector<shader::PrimaryHit> hits = primary_hits();
+    const std::vector<uint32_t> flags = pixel_flags();
+    for (size_t i = 0; i < hits.size(); ++i) {
+        const shader::PrimaryHit& hit = hits[i];
+        if (hit.primitive == shader::NONE) continue;
         const vkpt::LeafReport report = tree.leaf_at(hit.position, 32);
         // One that explores has a second light sample.
-        counted[report.leaf] += hit.flags & shader::PRIMARY_HIT_EXPLORED ? 2 : 1;
+        counted[report.leaf] += flags[i] & shader::PIXEL_EXPLORED ? 2 : 1;
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             EXPECT_GE(hit.position[axis], report.corner[axis] - 0.01f);
             EXPECT_LE(hit.position[axis], report.corner[axis] + report.size + 0.01f);

@@ -86,7 +86,7 @@ void main() {
     uvec2 pixel;
     uint index;
     if (!pixel_of_invocation(pixel, index)) return;
-    const PrimaryHit hit = primary_hits[index];
+    const PrimaryHit hit = load_primary_hit(index);
     if (hit.primitive == NONE) return;
     const Surface surface = load_primary_surface(hit);
     const uint row = index * (frame.light_count + 1u);

@@ -206,8 +206,7 @@ TEST_F(MovingLights, SpotsShineWithinTheirCone) {
     shot.spots = {{1, mouth, {90, 0, 0}, 1.5f, {75000, 75000, 75000}}};
     radiance(shot);
     const std::vector<float> seen = trace(params(shot), 128);
-    const std::vector<shader::PrimaryHit> hits = gpu::download_now_as<shader::PrimaryHit>(
-        renderer().device(), renderer().buffers().primary_hits(), 0, 64 * 64);
+    const std::vector<shader::PrimaryHit> hits = primary_hits();
     struct Band {
         double from, to, tolerance;
     };

@@ -29,7 +29,7 @@ void main() {
     }
     case 1u: result.xyz = sample_texture(load_texture(uint(given.x)), given.yz, given.w); break;
     case 2u: result.xyz = fetch_texel(load_texture(uint(given.x)), uint(given.y), ivec2(given.zw)); break;
-    case 3u: result.x = uintBitsToFloat(surface_cluster(load_primary_surface(primary_hits[uint(given.x)]))); break;
+    case 3u: result.x = uintBitsToFloat(surface_cluster(load_primary_surface(load_primary_hit(uint(given.x))))); break;
     case 4u: result.xyz = sky_radiance(given.xyz); break;
     }
     results[index] = result;

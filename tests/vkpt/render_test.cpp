@@ -214,6 +214,18 @@ std::vector<float> RenderTest::trace(const vkpt::FrameDescription& params,
                                        uint64_t{3} * buffers.size().x * buffers.size().y);
 }
 
+std::vector<shader::PrimaryHit> RenderTest::primary_hits() {
+    const vkpt::FrameBuffers& buffers = renderer().buffers();
+    return gpu::download_now_as<shader::PrimaryHit>(renderer().device(), buffers.primary_hits(), 0,
+                                                    uint64_t{buffers.size().x} * buffers.size().y);
+}
+
+std::vector<uint32_t> RenderTest::pixel_flags() {
+    const vkpt::FrameBuffers& buffers = renderer().buffers();
+    return gpu::download_now_as<uint32_t>(renderer().device(), buffers.pixel_flags(), 0,
+                                          uint64_t{buffers.size().x} * buffers.size().y);
+}
+
 bool all_finite_nonnegative(std::span<const float> values) {
     return std::ranges::all_of(values,
                                [](float value) { return shader::is_finite_nonnegative(value); });

@@ -56,6 +56,9 @@ protected:
 
     /// One frame's radiance.
     static refresh::RadiancePicture radiance(const Shot& shot);
+    /// What the camera rays of the last frame hit, and what became of each pixel's paths (PIXEL_*).
+    static std::vector<shader::PrimaryHit> primary_hits();
+    static std::vector<uint32_t> pixel_flags();
     /// `batches` pictures of `paths` paths per pixel with seeds seed, seed + 1, ..., after
     /// learning; the same whatever was rendered before.
     static PictureBatches batches(const Shot& shot, int batches, int paths, int seed, int block);

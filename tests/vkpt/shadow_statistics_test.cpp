@@ -27,14 +27,13 @@ protected:
 
     /// Share of the last frame's light samples at primary hits that added nothing.
     static double wasted() {
-        const glm::uvec2 size = renderer().buffers().size();
+        const std::vector<shader::PrimaryHit> surfaces = primary_hits();
+        const std::vector<uint32_t> flags = pixel_flags();
         double hits = 0.0, unlit = 0.0;
-        for (const shader::PrimaryHit& hit : gpu::download_now_as<shader::PrimaryHit>(
-                 renderer().device(), renderer().buffers().primary_hits(), 0,
-                 uint64_t{size.x} * size.y)) {
-            if (hit.primitive == shader::NONE) continue;
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            if (surfaces[i].primitive == shader::NONE) continue;
             hits += 1.0;
-            unlit += (hit.flags & shader::PRIMARY_HIT_UNLIT) != 0 ? 1.0 : 0.0;
+            unlit += (flags[i] & shader::PIXEL_UNLIT) != 0 ? 1.0 : 0.0;
         }
         return unlit / hits;
     }

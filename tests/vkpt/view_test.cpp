@@ -28,11 +28,6 @@ protected:
         set_size(96, 64); // no legend is this small
     }
 
-    static std::vector<shader::PrimaryHit> primary_hits() {
-        const glm::uvec2 size = renderer().buffers().size();
-        return gpu::download_now_as<shader::PrimaryHit>(
-            renderer().device(), renderer().buffers().primary_hits(), 0, uint64_t{size.x} * size.y);
-    }
     void render(int frames = 1) {
         for (int i = 0; i < frames; ++i)
             renderer().render(shot_.frame());
@@ -99,12 +94,13 @@ TEST_F(Views, ZeroAndTechniqueShowTheFlags) {
         const auto count = [&](auto&& check) {
             const refresh::Picture picture = renderer().read_picture(false);
             const std::vector<shader::PrimaryHit> hits = primary_hits();
+            const std::vector<uint32_t> flags = pixel_flags();
             for (size_t i = 0; i < hits.size(); ++i)
-                if (hits[i].primitive != shader::NONE) check(hits[i], color_at(picture, i));
+                if (hits[i].primitive != shader::NONE) check(flags[i], color_at(picture, i));
         };
-        count([&](const shader::PrimaryHit& hit, const glm::vec3& color) {
+        count([&](uint32_t flags, const glm::vec3& color) {
             ++hit_count;
-            unlit += hit.flags & shader::PRIMARY_HIT_UNLIT ? 1 : 0;
+            unlit += flags & shader::PIXEL_UNLIT ? 1 : 0;
             shown += same(color, shader::VIEW_ZERO_SAMPLE) ? 1 : 0;
         });
         EXPECT_EQ(shown, unlit);
@@ -113,9 +109,9 @@ TEST_F(Views, ZeroAndTechniqueShowTheFlags) {
 
         set("pt_view", "technique");
         render();
-        count([&](const shader::PrimaryHit& hit, const glm::vec3& color) {
-            const bool zero = (hit.flags & shader::PRIMARY_HIT_UNLIT) != 0;
-            const bool explores = (hit.flags & shader::PRIMARY_HIT_EXPLORED) != 0;
+        count([&](uint32_t flags, const glm::vec3& color) {
+            const bool zero = (flags & shader::PIXEL_UNLIT) != 0;
+            const bool explores = (flags & shader::PIXEL_EXPLORED) != 0;
             explored += explores ? 1 : 0;
             EXPECT_TRUE(
                 same(color, explores ? (zero ? shader::VIEW_EXPLORED_ZERO : shader::VIEW_EXPLORED)

@@ -532,7 +532,7 @@ FAULTS = [
           "const uint end = first + settings.bucket;", "const uint end = first + settings.bucket + 1u;",
           GUIDING, "*FullTables*:*EveryBucketSize*"),
     Fault("a write past a buffer's end in the path tracer", "shaders/pathtrace/direct.comp",
-          "primary_hits[index].flags |= flags;", "primary_hits[index + 5000000u].flags |= flags;",
+          "pixel_flags[index] |= (light", "pixel_flags[index + 5000000u] |= (light",
           ASSISTED_FRAMES, "*/uniform"),
 
     # The same lights in the scene.

@@ -11,7 +11,7 @@ extern "C" const vigil::shader::LtcEntry vigil_ltc_table[], vigil_ltc_table_end[
 
 namespace vigil {
 
-static_assert(sizeof(shader::LtcEntry) == 24 && shader::LTC_TABLE_SIZE == 32,
+static_assert(sizeof(shader::LtcEntry) == 32 && shader::LTC_TABLE_SIZE == 32,
               "scalar block layout");
 
 std::span<const shader::LtcEntry> ltc_table() {

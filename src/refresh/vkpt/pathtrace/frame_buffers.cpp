@@ -19,14 +19,18 @@ static_assert(texels_of<shader::BvhTriangle> == shader::TRIANGLE_TEXELS &&
               texels_of<shader::Primitive> == shader::PRIMITIVE_TEXELS &&
               texels_of<shader::Material> == shader::MATERIAL_TEXELS &&
               texels_of<shader::Texture> == 1 && texels_of<shader::Light> == shader::LIGHT_TEXELS &&
-              texels_of<shader::BspTreeNode> == shader::BSP_NODE_TEXELS);
+              texels_of<shader::BspTreeNode> == shader::BSP_NODE_TEXELS &&
+              texels_of<shader::LtcEntry> == shader::LTC_ENTRY_TEXELS &&
+              texels_of<shader::PrimaryHit> == shader::PRIMARY_HIT_TEXELS &&
+              texels_of<shader::FilterInput> == shader::FILTER_INPUT_TEXELS);
 
 std::vector<gpu::BindingKind> scene_bindings(bool ray_query) {
     std::vector<gpu::BindingKind> kinds(SCENE_BINDING_COUNT, gpu::BindingKind::Storage);
     kinds[BINDING_FRAME] = gpu::BindingKind::Uniform;
     for (const uint32_t records :
          {BINDING_BVH_NODES, BINDING_BVH_TRIANGLES, BINDING_TOP_NODES, BINDING_INSTANCES,
-          BINDING_PRIMITIVES, BINDING_MATERIALS, BINDING_TEXTURES, BINDING_LIGHTS, BINDING_BSP})
+          BINDING_PRIMITIVES, BINDING_MATERIALS, BINDING_TEXTURES, BINDING_LIGHTS, BINDING_BSP,
+          BINDING_LTC, BINDING_SURFACE_RECORDS, BINDING_FILTER_INPUT_RECORDS})
         kinds[records] = gpu::BindingKind::Records;
     kinds[BINDING_TEXELS] = gpu::BindingKind::Words;
     if (ray_query)
@@ -81,6 +85,7 @@ void FrameBuffers::resize(glm::uvec2 picture, glm::uvec2 size, bool scales) {
     };
     // All are made before any is kept, so that a size that does not fit leaves the old one working.
     gpu::Buffer surfaces = make(pixels * sizeof(shader::PrimaryHit), "primary hits");
+    gpu::Buffer flags = make(pixels * sizeof(uint32_t), "pixel flags");
     gpu::Buffer radiance = make(pixels * sizeof(glm::vec3), "radiance");
     gpu::Buffer accumulation = make(2 * pixels * sizeof(glm::vec3), "accumulation");
     gpu::Buffer exposure =
@@ -89,6 +94,7 @@ void FrameBuffers::resize(glm::uvec2 picture, glm::uvec2 size, bool scales) {
     gpu::Buffer display = make(uint64_t{picture.x} * picture.y * sizeof(uint32_t), "display");
     gpu::Buffer toned = scales ? make(pixels * sizeof(uint32_t), "toned") : gpu::Buffer();
     surfaces_ = std::move(surfaces);
+    pixel_flags_ = std::move(flags);
     radiance_ = std::move(radiance);
     accumulation_ = std::move(accumulation);
     exposure_ = std::move(exposure);
@@ -122,8 +128,12 @@ void FrameBuffers::bind(const Scene& scene, const LightTechnique& technique,
     scene_set_.bind(BINDING_BSP, scene.cluster_tree());
     scene_set_.bind(BINDING_LTC, ltc_);
     scene_set_.bind(BINDING_SURFACES, surfaces_);
+    scene_set_.bind(BINDING_SURFACE_RECORDS, surfaces_);
+    scene_set_.bind(BINDING_PIXEL_FLAGS, pixel_flags_);
     scene_set_.bind(BINDING_RADIANCE, radiance_);
-    scene_set_.bind(BINDING_FILTER_INPUT, filter_input_ ? filter_input_ : unused_);
+    const gpu::Buffer& filter_input = filter_input_ ? filter_input_ : unused_;
+    scene_set_.bind(BINDING_FILTER_INPUT, filter_input);
+    scene_set_.bind(BINDING_FILTER_INPUT_RECORDS, filter_input);
     scene_set_.bind(BINDING_ACCUMULATION, accumulation_);
     scene_set_.bind(BINDING_EXPOSURE, exposure_);
     scene_set_.bind(BINDING_COUNTERS, counters_);

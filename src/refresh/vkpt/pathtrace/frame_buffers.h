@@ -71,6 +71,8 @@ public:
     const gpu::Buffer& counters() const { return counters_; }
     const gpu::Buffer& filter_input() const { return filter_input_; }
     const gpu::Buffer& primary_hits() const { return surfaces_; }
+    /// What became of the paths of each pixel: shader::PIXEL_*.
+    const gpu::Buffer& pixel_flags() const { return pixel_flags_; }
     /// Light that arrives at the crosshair, for pt_view cdq: shaders/debug/direction_map.glsl.
     const gpu::Buffer& direction_map() const { return direction_map_; }
 
@@ -80,8 +82,8 @@ private:
     bool scales_ = false;
     std::optional<shader::FrameParams> copied_; // what frame_ has
     shader::FrameTurn turn_{};
-    gpu::Buffer unused_, frame_, surfaces_, radiance_, accumulation_, exposure_, counters_,
-        display_, toned_, ltc_, direction_map_, filter_input_;
+    gpu::Buffer unused_, frame_, surfaces_, pixel_flags_, radiance_, accumulation_, exposure_,
+        counters_, display_, toned_, ltc_, direction_map_, filter_input_;
     gpu::DescriptorSet scene_set_;
     std::array<gpu::DescriptorSet, most_sides> technique_sets_;
     gpu::PipelineLayout layout_;
