@@ -256,7 +256,7 @@ TEST_F(Extremes, PicturesThatDoNotFitLeaveTheProgramUsable) {
         message = error.what();
     }
     EXPECT_NE(message.find("MiB"), std::string::npos)
-        << "15 GiB of primary hits fit into one buffer? " << message;
+        << "12 GiB of primary hits fit into one buffer? " << message;
     set_size(48, 32);
     EXPECT_EQ(radiance(shot).width, 48);
     EXPECT_EQ(trace(params(shot), 4), before);

@@ -43,6 +43,7 @@ play() {
   (
     while sleep 0.5; do
       size=$(sed -n 's/^VmRSS:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$(pgrep -n quake2)/status" 2>/dev/null) || continue
+      if [ -z "$size" ]; then continue; fi # it has just ended
       echo "$size $(grep -ac 'Server restarted' "$log")" >>"$scratch/memory"
     done
   ) &

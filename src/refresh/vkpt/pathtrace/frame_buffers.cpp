@@ -85,6 +85,7 @@ void FrameBuffers::resize(glm::uvec2 picture, glm::uvec2 size, bool scales) {
     };
     // All are made before any is kept, so that a size that does not fit leaves the old one working.
     gpu::Buffer surfaces = make(pixels * sizeof(shader::PrimaryHit), "primary hits");
+    surfaces.texels(VK_FORMAT_R32G32B32A32_UINT); // a device reads so many at most
     gpu::Buffer flags = make(pixels * sizeof(uint32_t), "pixel flags");
     gpu::Buffer radiance = make(pixels * sizeof(glm::vec3), "radiance");
     gpu::Buffer accumulation = make(2 * pixels * sizeof(glm::vec3), "accumulation");
