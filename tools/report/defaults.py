@@ -238,7 +238,7 @@ class Page:
         left_out = [f"`{level}`" for level in dict.fromkeys(part["level"] for part in self.trade["parts"]) if level not in shown]
         changed = [f"`{name}` is {self.now[name]} today" for name in names_of(self.trade)
                    if self.now.get(name, "?") != self.values.get(name, "?")]
-        print(HEAD.format(since=f" Its defaults are those of that commit: {', '.join(changed)}." if changed else "", without=WITHOUT.format(levels=", ".join(left_out)) if left_out else "",
+        print(HEAD.format(since=f" Its defaults and presets are those of that commit: {', '.join(changed)}." if changed else "", without=WITHOUT.format(levels=", ".join(left_out)) if left_out else "",
                           device=self.trade["device"], width=self.trade["width"], height=self.trade["height"], views=len(first["views"]),
                           seeds=self.trade["seeds"], commit=self.trade["commit"],
                           state="" if self.trade["finished"] else " The run was not finished: parts are missing.",
