@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,19 +36,36 @@ public:
     /// time; where it goes back, all is forgotten.
     std::vector<uint32_t> assign(std::span<const Sighting> things, double time_s);
 
-    void clear() { tracks_.clear(); }
+    void clear() {
+        tracks_.clear();
+        speeds_.clear();
+    }
     size_t track_count() const { return tracks_.size(); }
 
 private:
     struct Track {
         Sighting last;
-        glm::vec3 velocity{0.0f}; // map units per second
+        std::optional<glm::vec3> velocity{}; // map units per second; none when seen once
         double seen_s = 0.0;
         uint32_t id = 0;
         size_t order = 0; // in its frame
     };
+    /// What was seen before, and what it is now.
+    struct Pair {
+        float cost;
+        size_t track, thing;
+    };
+
+    /// How far `thing` is from what is expected of `track`, map units; nothing if it is another.
+    std::optional<float> cost(const Track& track, const Sighting& thing) const;
+    /// Each track and each thing at most once, the cheapest pairs first.
+    std::vector<Pair> likeliest(std::span<const Sighting> things) const;
+    /// The engine lists things of a kind by its own numbers, where the C library's sort is stable.
+    /// Pairs that break this order exchange their things where that costs little.
+    void put_in_order(std::vector<Pair>& pairs, std::span<const Sighting> things) const;
 
     std::vector<Track> tracks_;
+    std::map<uint64_t, float> speeds_; // the latest of each kind, map units per second
     double time_s_ = 0.0;
     uint32_t next_id_ = 1;
 };

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A measurement: how often numbers are wrong in demos that people recorded, which have the true
-// ones. VIGIL_DEMOS names the folder of the demos; frames are made in between the demo's, as the
-// game's client does.
+// How often numbers are wrong in recorded demos, which have the true ones: those of ../shared, or
+// of the folder that VIGIL_DEMOS names. Frames are made in between the demo's, as the game's client
+// does.
 #include "formats/dm2_parser.h"
+#include "formats/real_levels.h"
 #include "yamagi/identities.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <map>
 #include <optional>
 
@@ -88,16 +87,19 @@ private:
     Score score_;
 };
 
-TEST(DemoIdentities, AreMeasured) {
-    const char* const folder = std::getenv("VIGIL_DEMOS");
-    if (std::getenv("VIGIL_MEASURE") == nullptr || folder == nullptr)
-        GTEST_SKIP() << "VIGIL_MEASURE=1 measures";
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+std::optional<std::filesystem::path> folder_of_demos() {
+    if (const char* const folder = std::getenv("VIGIL_DEMOS")) return folder;
+    const auto levels = real_levels_folder();
+    return levels ? std::optional(*levels / "demos") : std::nullopt;
+}
+
+TEST(DemoIdentities, AreRightInNearlyAllFrames) {
+    const auto folder = folder_of_demos();
+    if (!folder) GTEST_SKIP() << "the real demos are not there";
+    for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
         if (entry.path().extension() != ".dm2") continue;
         for (const int fps : {10, 30, 60}) {
-            std::ifstream stream(entry.path(), std::ios::binary);
-            dm2::File file(entry.path().filename().string(),
-                           std::vector<uint8_t>(std::istreambuf_iterator<char>(stream), {}));
+            dm2::File file(entry.path().filename().string(), read_file(entry.path()));
             dm2::Parser parser(file.name());
             Between between(fps);
             while (const auto block = file.next()) {
