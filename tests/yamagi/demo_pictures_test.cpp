@@ -115,7 +115,8 @@ TEST(DemoPictures, OfEngineAndProgramAgree) {
         const PictureBatches own = batches_of(programs.at("vigil"));
         EXPECT_EQ(engine.batches(), own.batches()) << label;
         const auto frame = static_cast<size_t>(std::stoi(label.substr(label.find(' '))) * every);
-        const bool with_effects = effects.at(frame);
+        ASSERT_LT(frame, effects.size()) << label << ": the demo is shorter";
+        const bool with_effects = effects[frame];
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const Comparison result = compare(engine, own, channel);
             std::cout << fmt::format("{}{} {}: {}\n", label, with_effects ? " (shots)" : "",
