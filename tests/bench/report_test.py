@@ -18,6 +18,7 @@ import agreement
 import colors
 import defaults
 import economy_page
+import kept
 import levels
 import rivals
 import summary
@@ -398,6 +399,28 @@ class Defaults(unittest.TestCase):
     def test_reasons_have_no_numbers_of_their_own(self):
         for name, reason in defaults.REASONS.items():
             self.assertIsNone(re.search(r"\d+\.\d|\d%|\[\d", reason.text), name)
+
+
+class Kept(unittest.TestCase):
+    def measured(self, part, value, finished=True):
+        mse = {"value": value, "by_view_and_seed": [[1.0, 2.0, 4.0], [3.0, 3.0, 9.0]]}
+        return {"measured": "quality", "commit": "c", "finished": finished,
+                "parts": [{"part": part, "views": [{}, {}], "rows": [{"label": "vlc", "mse": mse, "pass_ms": {"direct": [[1.0]]}}]}]}
+
+    def test_has_values_and_views_but_no_runs(self):
+        part = kept.join(None, self.measured("w", 1.23456))["parts"][0]
+        self.assertEqual(part["rows"], [{"label": "vlc", "mse": {"value": 1.235, "by_view": [2.0, 3.0]}}])
+        self.assertEqual((part["commit"], part["views"]), ("c", 2))
+
+    def test_takes_the_place_of_the_same_part(self):
+        joined = kept.join(None, self.measured("w", 1.0))
+        for part, value in (("g", 2.0), ("w", 3.0)):
+            joined = kept.join(joined, self.measured(part, value))
+        self.assertEqual([(part["part"], part["rows"][0]["mse"]["value"]) for part in joined["parts"]], [("w", 3.0), ("g", 2.0)])
+
+    def test_refuses_what_is_not_finished(self):
+        with self.assertRaises(ValueError):
+            kept.join(None, self.measured("w", 1.0, finished=False))
 
 
 if __name__ == "__main__":

@@ -61,11 +61,11 @@ class Numbers(Pages):
     def test_fills_tables_and_reports(self):
         status, _ = self.numbers("It is <!--n t/a/vlc, time-->x<!--/n--> <!--n t/a/range/2-->x<!--/n--> <!--n t/a/range/all-->x<!--/n--> "
                                  "<!--n quality:w/vlc/mse; 2-->x<!--/n--> <!--n quality:w/vlc/mse.ratio-->x<!--/n--> "
-                                 "<!--n card.quality:w/vlc/ms-->x<!--/n--> "
+                                 "<!--n card.quality:w/vlc/ms-->x<!--/n--> <!--n quality:w/vlc/mse.ratio over w/vlc/mse; 2-->x<!--/n--> "
                                  "<!--n t/a/vlc, time; 0%-->x<!--/n--> <!--n t/a/vlc, time; 1/2-->x<!--/n-->")
         self.assertEqual(status, 0)
         text = (self.root / "README.md").read_text()
-        self.assertEqual(quoted.plain(text), "It is 0.30 1.2 1.5 [1.2, 2.5] 0.12 374 7.5 30% 3.3")
+        self.assertEqual(quoted.plain(text), "It is 0.30 1.2 1.5 [1.2, 2.5] 0.12 374 7.5 3,032 30% 3.3")
 
     def test_fills_defaults_of_variables(self):
         self.write("docs/play/cvars.md", "| `pt_a` | `0.03` | 0 | help |\n| `pt_b` | `auto` | | help |\n")

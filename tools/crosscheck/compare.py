@@ -3,6 +3,7 @@
 not, 3 if nothing could be compared. Started by crosscheck.py inside Mitsuba's environment."""
 
 import argparse
+import json
 import os
 import shutil
 import subprocess
@@ -66,12 +67,15 @@ def arguments():
                         help="the exported 8-bit colours unrounded: shows what Vigil's texture format costs")
     parser.add_argument("--spoil", type=float, default=1.0, metavar="FACTOR",
                         help="on the radiance of Mitsuba's lamps: shows that the comparison can fail")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the rows there, too")
     parser.add_argument("--set", nargs=2, action="append", default=[], metavar=("VARIABLE", "VALUE"),
                         help="one more variable for Vigil")
     options = parser.parse_args()
     unknown = [name for name in options.levels if name not in LEVELS]
     if unknown:
         parser.error(f"{unknown[0]}: not one of {' '.join(LEVELS)}")
+    if options.json:
+        options.json.parent.mkdir(parents=True, exist_ok=True)
     if options.spp % 8 or options.batches < 2:
         parser.error("--spp must be a multiple of 8, --batches at least 2")
     return options
@@ -140,8 +144,15 @@ def row(name, result, paths, seconds):
         seconds, "agrees" if result.agrees else "DISAGREES")
 
 
-def check(name, options):
-    """True if the level agrees, False if not, None if it is not here."""
+def json_row(name, result, paths):
+    return {"label": name, "paths": paths, "agrees": bool(result.agrees), "regions": int(result.regions), "max_z": float(result.max_z),
+            "max_z_limit": float(result.max_z_limit), "chi2_p": float(result.chi2_p),
+            "difference": dict(zip(("red", "green", "blue"), map(float, result.difference))),
+            "error": dict(zip(("red", "green", "blue"), map(float, result.error)))}
+
+
+def check(name, options, rows):
+    """True if the level agrees, False if not, None if it is not here. What was measured goes to `rows`."""
     level, folder, start = LEVELS[name], options.out / name, time.monotonic()
     bsp = Path("baseq2") / "maps" / f"{level.map or name}.bsp"
     if not (level.basedir / bsp).is_file():
@@ -156,6 +167,7 @@ def check(name, options):
     write_pictures(folder, vigil, mitsuba, result.scores)
     np.savez_compressed(folder / "batches.npz", vigil=vigil.astype(np.float32), mitsuba=mitsuba.astype(np.float32))
     print(row(name, result, paths, time.monotonic() - start), flush=True)
+    rows.append(json_row(name, result, paths))
     return result.agrees
 
 
@@ -171,7 +183,12 @@ def main():
     print(f"Mitsuba {mi.__version__}, {variant}; {options.batches} batches of {options.spp} paths per pixel on either side")
     print("%-10s %7s %7s %13s %9s  %-47s %s" % ("level", "regions", "mean z", "max|z| (limit)", "chi2 p",
                                                "Vigil / Mitsuba - 1: red, green, blue", "paths"))
-    return status_of([check(name, options) for name in options.levels])
+    rows = []
+    status = status_of([check(name, options, rows) for name in options.levels])
+    if options.json:
+        options.json.write_text(json.dumps({"measured": "crosscheck", "mitsuba": mi.__version__, "batches": options.batches, "spp": options.spp,
+                                            "parts": [{"part": "all", "rows": rows}]}, indent=1) + "\n")
+    return status
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ KEY is one of these:
   whole cell. ROW is the first cell of the row, COLUMN that of the head, both without `, * and links.
 - REPORT:PART/ROW/PATH: of REPORT.json in docs/results/full (FOLDER.REPORT: in that folder of docs/results), the row with
   this label in the part of this name; PATH has the names of fields and indices, with dots between them. Of an interval it
-  is the value.
+  is the value. "PART/ROW/PATH over PART/ROW/PATH" is the quotient.
 - cvar:NAME: the default of a variable, as docs/play/cvars.md has it.
 
 FORMAT: D digits ("2"); "D%" the same as a percentage with D decimals; "1/D" the reciprocal; "D+" the share above 1, as a percentage.
@@ -79,8 +79,11 @@ def report(root, name):
 
 
 def of_report(root, key):
-    name, rest = key.split(":", 1)
-    part, row, path = rest.split("/", 2)
+    name, place = key.split(":", 1)
+    if " over " in place:
+        value, divisor = (of_report(root, f"{name}:{one}") for one in place.split(" over "))
+        return value / divisor
+    part, row, path = place.split("/", 2)
     value = next(found for found in report(root, name)["parts"] if found["part"] == part)
     value = next(found for found in value["rows"] if found["label"] == row)
     for field in path.split("."):

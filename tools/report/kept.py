@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Keeps what pages quote of reports: docs/results/pages/NAME.json, with the values of rows, their intervals and the medians of views,
+but without single runs.
+
+    python3 tools/report/kept.py NAME REPORT.json [MORE.json ...]    # puts the parts of these reports into NAME.json
+
+A part takes the place of one of the same name. tools/docs/quoted_numbers.py quotes them as pages.NAME:PART/ROW/PATH."""
+
+import json
+import sys
+from pathlib import Path
+
+import tables
+
+FOLDER = Path(__file__).resolve().parents[2] / "docs/results/pages"
+OF_REPORT = ("measured", "commit", "device", "width", "height")
+SINGLE = ("by_view_and_seed", "by_seed", "pass_ms", "passes", "pass_frames_ms", "pictures", "views", "planned")
+
+
+def with_views(value):
+    """Adds by_view, the median of each view, to what has single runs."""
+    if isinstance(value, dict):
+        found = {key: with_views(inner) for key, inner in value.items()}
+        runs = value.get("by_view_and_seed")
+        return found | {"by_view": [tables.median(view) for view in runs]} if runs and all(runs) else found
+    return [with_views(inner) for inner in value] if isinstance(value, list) else value
+
+
+def join(joined, report):
+    """Puts the parts of a finished report into one that join() made, or into None. Each part says what the report did of all."""
+    if not report["finished"]:
+        raise ValueError("a report is not finished")
+    parts = {part["part"]: part for part in joined["parts"]} if joined else {}
+    for part in report["parts"]:
+        parts[part["part"]] = {key: report[key] for key in OF_REPORT if key in report} | {"views": len(part["views"])} | tables.rounded(with_views(part), SINGLE)
+    return {"parts": list(parts.values())}
+
+
+def main(name, paths):
+    path = FOLDER / f"{name}.json"
+    joined = json.loads(path.read_text()) if path.exists() else None
+    for source in paths:
+        try:
+            joined = join(joined, json.loads(Path(source).read_text()))
+        except (OSError, ValueError, KeyError) as fault:
+            sys.exit(f"{source}: {fault}")
+    FOLDER.mkdir(exist_ok=True)
+    path.write_text(json.dumps(joined, separators=(",", ":")) + "\n")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:])
