@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Keeps what pages quote of reports: docs/results/pages/NAME.json, with the values of rows, their intervals and the medians of views,
+"""Keeps what pages quote of reports in docs/results/pages: the values of rows, their intervals and the medians of views,
 but without single runs.
 
     python3 tools/report/kept.py NAME REPORT.json [MORE.json ...]    # puts the parts of these reports into NAME.json
