@@ -4,11 +4,12 @@
 and the normals of what camera rays met. Prints its errors beside those of the report's own rows, as Markdown, and writes
 oidn_SEED.exr ("oidn TECHNIQUE_SEED.exr") into the folders.
 
-    python3 tools/report/judge.py out/picture.json [MORE.json ...]
+    python3 tools/report/judge.py [--write] out/picture.json [MORE.json ...]    # --write: puts its rows into the reports, too
 
 MSE and relative MSE are those of the bench (docs/research/quality.md); FLIP is that for high dynamic range, as on the page of reports.
 Lamps that are seen are part of what is denoised here, while the filter adds them exactly: plain MSE is mostly about them."""
 
+import json
 import sys
 import time
 from pathlib import Path
@@ -22,7 +23,7 @@ import pictures
 import tables
 
 RAW, JUDGE = "raw", "oidn"  # labels of rows begin so
-MEASURES = ("MSE", "rel. MSE", "FLIP")
+MEASURES = {"MSE": "mse", "rel. MSE": "relative_mse", "FLIP": "flip"}  # and their names in reports
 
 
 def denoised(folder, name):
@@ -56,6 +57,8 @@ def judge(part):
         reference = pictures.load(folder / "reference.exr")
         for row in part["rows"]:
             label = row["label"]
+            if label.startswith(JUDGE):
+                continue
             for seed in range(1, part["seeds"] + 1):
                 name = f"{label.replace('/', '_')}_{seed}"
                 runs.setdefault(label, []).append((errors(view, reference, pictures.load(folder / f"{name}.exr")), None))
@@ -67,22 +70,37 @@ def judge(part):
     return runs
 
 
-def table(part):
-    """Typical runs, and the typical ratio to the baseline's run of the same view and seed."""
-    runs = judge(part)
-    baseline = runs[part["baseline"]]
+def typical_ratio(own, baseline, measure):
+    """To the baseline's run of the same view and seed."""
+    return tables.median([run[0][measure] / other[0][measure] for run, other in zip(own, baseline)])
+
+
+def write_rows(part, runs):
+    """Puts the judge's rows into a part of a report: the mean, the typical run, and the typical ratio to the baseline."""
+    part["rows"] = [row for row in part["rows"] if not row["label"].startswith(JUDGE)]
+    for label, own in runs.items():
+        if label.startswith(JUDGE):
+            part["rows"].append({"label": label} | {
+                key: {"value": sum(run[0][measure] for run in own) / len(own), "median": {"value": tables.median([run[0][measure] for run in own])},
+                      "ratio": {"value": typical_ratio(own, runs[part["baseline"]], measure)}}
+                for measure, key in enumerate(MEASURES.values())})
+
+
+def table(part, runs):
+    """Typical runs, and their ratios to the baseline."""
     lines = []
     for label, own in runs.items():
         cells = [label]
         for measure in range(len(MEASURES)):
-            ratios = [run[0][measure] / other[0][measure] for run, other in zip(own, baseline)]
-            cells.append(f"{tables.number(tables.median([run[0][measure] for run in own]))} ({tables.number(tables.median(ratios))})")
+            ratio = typical_ratio(own, runs[part["baseline"]], measure)
+            cells.append(f"{tables.number(tables.median([run[0][measure] for run in own]))} ({tables.number(ratio)})")
         times = [took_ms for _, took_ms in own if took_ms is not None]
         lines.append([*cells, tables.number(tables.median(times)) if times else ""])
     return [part["part"], *(f"{name} (/ {part['baseline']})" for name in MEASURES), "ms of the judge"], lines
 
 
-def main(paths):
+def main(arguments):
+    paths = [argument for argument in arguments if argument != "--write"]
     if not paths:
         sys.exit(__doc__)
     for path in paths:
@@ -93,7 +111,11 @@ def main(paths):
                 sys.exit(f"{path}: no pictures; run the bench with --pictures FOLDER")
             print(f"{report['device']}, commit {report['commit']}\n")
             for part in parts:
-                print(tables.markdown_table(*table(part)), "\n")
+                runs = judge(part)
+                print(tables.markdown_table(*table(part, runs)), "\n")
+                write_rows(part, runs)
+            if "--write" in arguments:
+                Path(path).write_text(json.dumps(report))
         except (OSError, ValueError) as fault:
             sys.exit(f"{path}: {fault}")
 
