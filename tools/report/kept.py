@@ -33,7 +33,9 @@ def join(joined, report):
         raise ValueError("a report is not finished")
     parts = {part["part"]: part for part in joined["parts"]} if joined else {}
     for part in report["parts"]:
-        parts[part["part"]] = {key: report[key] for key in OF_REPORT if key in report} | {"views": len(part["views"])} | tables.rounded(with_views(part), SINGLE)
+        views = part["views"]
+        parts[part["part"]] = ({key: report[key] for key in OF_REPORT if key in report} | tables.rounded(with_views(part), SINGLE) |
+                               {"views": len(views) if isinstance(views, list) else views})
     return {"parts": list(parts.values())}
 
 
