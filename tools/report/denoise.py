@@ -4,7 +4,7 @@
 and the normals of what camera rays met. Prints its errors beside those of the report's own rows, as Markdown, and writes
 oidn_SEED.exr ("oidn TECHNIQUE_SEED.exr") into the folders.
 
-    python3 tools/report/judge.py [--write] out/picture.json [MORE.json ...]    # --write: puts its rows into the reports, too
+    python3 tools/report/judge.py [--write] out/picture.json [MORE.json ...]    # --write: puts them into the reports, too
 
 MSE and relative MSE are those of the bench (docs/research/quality.md); FLIP is that for high dynamic range, as on the page of reports.
 Lamps that are seen are part of what is denoised here, while the filter adds them exactly: plain MSE is mostly about them."""
@@ -76,14 +76,15 @@ def typical_ratio(own, baseline, measure):
 
 
 def write_rows(part, runs):
-    """Puts the judge's rows into a part of a report: the mean, the typical run, and the typical ratio to the baseline."""
-    part["rows"] = [row for row in part["rows"] if not row["label"].startswith(JUDGE)]
+    """Puts these errors into the rows of a part of a report, as "judge": the mean, the typical run, and the typical ratio to the baseline. The
+    judge has rows of its own."""
+    rows = {row["label"]: row for row in part["rows"]}
     for label, own in runs.items():
-        if label.startswith(JUDGE):
-            part["rows"].append({"label": label} | {
-                key: {"value": sum(run[0][measure] for run in own) / len(own), "median": {"value": tables.median([run[0][measure] for run in own])},
-                      "ratio": {"value": typical_ratio(own, runs[part["baseline"]], measure)}}
-                for measure, key in enumerate(MEASURES.values())})
+        rows.setdefault(label, {"label": label})["judge"] = {
+            key: {"value": sum(run[0][measure] for run in own) / len(own), "median": {"value": tables.median([run[0][measure] for run in own])},
+                  "ratio": {"value": typical_ratio(own, runs[part["baseline"]], measure)}}
+            for measure, key in enumerate(MEASURES.values())}
+    part["rows"] = list(rows.values())
 
 
 def table(part, runs):
