@@ -98,8 +98,9 @@ class Tracer:
         distance = mi.Float(si.t)
         if self.translucent:
             travelled = mi.Float(0)
+            passes = active
             for _ in range(LAYERS):
-                hit = active & si.is_valid()
+                hit = passes & si.is_valid()  # what has stopped a ray does so for good
                 coverage = dr.select(si.wi.z > 0, self.of("coverage", si, hit), 0)
                 opaque = self.of("coverage", si, hit) >= 1
                 passes = hit & ~opaque & (sampler.next_1d() >= coverage)
