@@ -11,7 +11,7 @@
 #define SET_GUIDING 2
 
 #define BINDING_FRAME 0                   // uniform FrameParams: shared/frame_params.h, scene/frame.glsl
-#define BINDING_BVH_NODES 1               // R, bottom-level nodes of all models: trace/trace_bvh.glsl
+#define BINDING_BVH_NODES 1               // bottom-level nodes of all models: trace/trace_bvh.glsl
 #define BINDING_BVH_TRIANGLES 2           // R, BvhTriangle[]: trace/trace_bvh.glsl, trace/trace_query.glsl
 #define BINDING_TOP_NODES 3               // R, top-level nodes of this frame: trace/trace_bvh.glsl
 #define BINDING_INSTANCES 4               // R, Instance[]: scene/scene.glsl

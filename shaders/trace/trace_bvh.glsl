@@ -5,10 +5,10 @@
 #ifndef VIGIL_TRACE_BVH_GLSL
 #define VIGIL_TRACE_BVH_GLSL
 
-// With TRACE_TEXEL=1, the default, the nodes are records (records.glsl), else a storage buffer of the same bytes. On lavapipe
-// records are 1.1 to 1.6 times as fast.
+// With TRACE_TEXEL=0, the default, the nodes are a storage buffer, else records (records.glsl) of the same bytes. Which is faster on lavapipe
+// depends on its version: docs/internals/tracing.md.
 #ifndef TRACE_TEXEL
-#define TRACE_TEXEL 1
+#define TRACE_TEXEL 0
 #endif
 #if TRACE_TEXEL
 layout(set = SET_SCENE, binding = BINDING_BVH_NODES) uniform utextureBuffer bvh_nodes;

@@ -307,7 +307,7 @@ TraceOptions parse_trace_options(std::span<const std::string> arguments) {
     TraceOptions options;
     Parser parser;
     parser.add_flag("--quick", options.quick, "fewer rays");
-    parser.add_flag("--storage", options.storage, "nodes as a storage buffer");
+    parser.add_flag("--texels", options.texels, "nodes as texels");
     parser.add_option("--json", options.json, "the report as a file");
     parser.add_basedirs(options.basedirs);
     parser.add_option("--level", options.levels, "a level, or `random` triangles");

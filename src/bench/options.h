@@ -95,9 +95,9 @@ QualityOptions parse_quality_options(std::span<const std::string> arguments,
 
 /// Of `trace`.
 struct TraceOptions {
-    bool quick = false;   // fewer rays
-    bool storage = false; // nodes as a storage buffer
-    std::string json;     // empty: none
+    bool quick = false;  // fewer rays
+    bool texels = false; // nodes as texels, not as a storage buffer
+    std::string json;    // empty: none
     std::vector<std::filesystem::path> basedirs;
     std::vector<std::string> levels = {"warehouse", "gallery", "yard", "room", "e3m6", "random"};
 };

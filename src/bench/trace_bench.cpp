@@ -77,7 +77,7 @@ public:
     LevelBench(const gpu::Device& device, const TraceOptions& options, const TraceLevel& level)
         : quick_(options.quick),
           clock_(device.features().is_cpu ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC),
-          rig_(device, options.storage ? TraceRig::Nodes::Storage : TraceRig::Nodes::Texels)
+          rig_(device, options.texels ? TraceRig::Nodes::Texels : TraceRig::Nodes::Storage)
 #ifdef VIGIL_HAVE_EMBREE
           ,
           embree_(level.triangles)
@@ -142,7 +142,7 @@ int run_trace_bench(std::span<const std::string> arguments) {
     const gpu::Device device(gpu::DeviceOptions{}, nullptr);
     const bool per_core = device.features().is_cpu;
     fmt::print("{}\nnodes as {}; {}\n", device.description(),
-               options.storage ? "storage buffer" : "texel buffer",
+               options.texels ? "texel buffer" : "storage buffer",
                per_core ? "million rays per second and core, by processor time"
                         : "million rays per second of the device");
 #ifndef VIGIL_HAVE_EMBREE
@@ -151,7 +151,7 @@ int run_trace_bench(std::span<const std::string> arguments) {
     fmt::print("{:<12}{:>10}{:>9}  {:<9}{:>9}{:>9}{:>9}{:>7}{:>12}\n", "level", "triangles",
                "build ms", "rays", "count", "vigil", "embree", "ratio", "differences");
     nlohmann::json report = {{"device", device.description()},
-                             {"nodes", options.storage ? "storage" : "texels"},
+                             {"nodes", options.texels ? "texels" : "storage"},
                              {"unit", per_core ? "Mray/s/core" : "Mray/s"},
                              {"levels", nlohmann::json::array()}};
     bool agree = true;

@@ -103,10 +103,9 @@ std::vector<shader::TraceAnswer> QueryGpu::trace(Backend backend, std::span<cons
     commands.begin();
     prepare_structures();
     structures_.record(commands);
-    gpu::full_barrier(commands.commands());
 
     std::vector<gpu::BindingKind> types(SCENE_BINDING_COUNT, gpu::BindingKind::Storage);
-    for (const uint32_t records : {BINDING_BVH_NODES, BINDING_BVH_TRIANGLES, BINDING_TOP_NODES})
+    for (const uint32_t records : {BINDING_BVH_TRIANGLES, BINDING_TOP_NODES})
         types[records] = gpu::BindingKind::Records;
     types[BINDING_ACCELERATION_STRUCTURE] = gpu::BindingKind::Traced;
     gpu::DescriptorSet scene(device_, types, unused_, "scene");

@@ -28,9 +28,9 @@ std::vector<gpu::BindingKind> scene_bindings(bool ray_query) {
     std::vector<gpu::BindingKind> kinds(SCENE_BINDING_COUNT, gpu::BindingKind::Storage);
     kinds[BINDING_FRAME] = gpu::BindingKind::Uniform;
     for (const uint32_t records :
-         {BINDING_BVH_NODES, BINDING_BVH_TRIANGLES, BINDING_TOP_NODES, BINDING_INSTANCES,
-          BINDING_PRIMITIVES, BINDING_MATERIALS, BINDING_TEXTURES, BINDING_LIGHTS, BINDING_BSP,
-          BINDING_LTC, BINDING_SURFACE_RECORDS, BINDING_FILTER_INPUT_RECORDS})
+         {BINDING_BVH_TRIANGLES, BINDING_TOP_NODES, BINDING_INSTANCES, BINDING_PRIMITIVES,
+          BINDING_MATERIALS, BINDING_TEXTURES, BINDING_LIGHTS, BINDING_BSP, BINDING_LTC,
+          BINDING_SURFACE_RECORDS, BINDING_FILTER_INPUT_RECORDS})
         kinds[records] = gpu::BindingKind::Records;
     kinds[BINDING_TEXELS] = gpu::BindingKind::Words;
     if (ray_query)

@@ -349,6 +349,7 @@ void AccelerationStructures::record(gpu::FrameCommands& commands) {
     }
     gpu::full_barrier(buffer);
     record_top(buffer);
+    gpu::full_barrier(buffer);
     top_dirty_ = false;
 }
 

@@ -37,8 +37,7 @@ public:
     /// good for destruction only.
     bool prepare(std::span<const QueryModel> models, std::span<const size_t> instance_models,
                  std::span<const shader::Instance> instances);
-    /// Records the builds that are due, behind a barrier against what was recorded before. The
-    /// barrier after them is the caller's.
+    /// Records the builds that are due, between barriers: no pass's own barrier waits for builds.
     void record(gpu::FrameCommands& commands);
 
     VkAccelerationStructureKHR top() const { return top_.handle.get(); }
