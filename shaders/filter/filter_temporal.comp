@@ -47,7 +47,8 @@ void main() {
     }
     surface.facing = pack_facing(hit.normal, hit.gloss);
     surface.depth = max(dot(hit.position - frame.camera_origin, frame.camera_forward), 1e-3);
-    surface.id = hit.instance;
+    // Places in the list of instances change from frame to frame, numbers of entities do not.
+    surface.id = hit.instance == 0u ? 0u : load_instance(hit.instance).entity + 1u;
     const FilterInput seen_now = load_filter_input(index);
     surface.brightness = packHalf2x16(sample_brightness(seen_now));
     filter_surfaces[this_half() + index] = surface;

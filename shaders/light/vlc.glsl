@@ -204,7 +204,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
     const bool from_cache = kind < 0.0;
     const bool from_cut = !from_cache && kind < shares.cut;
     const uint tabled = from_cache || from_cut ? NONE : alias_light(bits);
-    bool cached = from_cache || (tabled != NONE && is_cached(search.cache, tabled));
+    const bool cached = from_cache || (tabled != NONE && is_cached(search.cache, tabled));
     uint bucket = 0u;
     uint light = tabled;
     float probability = 0.0, estimate = 0.0;
@@ -218,10 +218,7 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
         }
     } else if (shares.cut > 0.0) {
         const CutDraw draw = draw_uncached(search, tabled, random_next3(random));
-        if (from_cut) {
-            light = draw.light;
-            cached = light != NONE && is_cached(search.cache, light); // one of a group farther off
-        }
+        if (from_cut) light = draw.light;
         probability = shares.cut * draw.probability;
         if (draw.probability > 0.0) estimate = draw.weight / draw.probability;
     }
@@ -244,9 +241,9 @@ LightChoice draw_light(Surface surface, float beside, inout Random random) {
         return choice;
     }
     choice.memory.y |= min(choice.light, LIGHT_SAMPLE_NONE); // one of too many to remember
-    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it. Neither beside the cache nor from cuts are its
-    // lights drawn.
-    if (probability > 0.0 && !((beside > 0.0 || from_cut) && cached)) choice.weight = 1.0 / probability;
+    // A light of zero probability cannot be drawn, but rounding in the reservoir may come close to it. Beside the cache none of its lights is drawn:
+    // cuts leave them out, and what the table draws of them is thrown away.
+    if (probability > 0.0 && !(beside > 0.0 && cached)) choice.weight = 1.0 / probability;
     else choice.light = NONE;
     return choice;
 }

@@ -325,6 +325,44 @@ TEST_F(Filter, PaintKeepsItsPastWhileTheCameraMoves) {
     EXPECT_LT(error, raw_error / 2.5);
 }
 
+TEST_F(Filter, AModelKeepsItsPastWhateverComesBeforeItInTheList) {
+    load("rooms");
+    shot_.view = {{40, 40, 60}, {0, 25, 0}, 90};
+    set("flt_taa", "0");
+    set("flt_atrous", "0"); // the past alone
+    refresh::Entity door, other;
+    door.number = 2;
+    door.model = other.model = renderer().register_model("*1");
+    door.origin = {-40, -20, 20};
+    other.number = 1;
+    other.origin = {0, 0, -2000};
+    shot_.entities = {door};
+    const Pixels expected = converged(256);
+    const std::vector<shader::PrimaryHit> hits = primary_hits();
+    ASSERT_GT(std::ranges::count(hits, 1u, &shader::PrimaryHit::instance), 100);
+    // Of what shows the door.
+    const auto off = [&](const Pixels& pixels) {
+        double sum = 0.0;
+        for (size_t i = 0; i < hits.size(); ++i)
+            if (hits[i].instance == 1)
+                sum += std::abs(brightness(pixels, i) - brightness(expected, i));
+        return sum;
+    };
+    const double raw = off(next());
+    set("flt_enable", "1");
+    const double alone = off(next(23));
+    for (int frame = 0; frame < 24; ++frame) {
+        shot_.entities = {door};
+        if (frame % 2 == 0) shot_.entities.insert(shot_.entities.begin(), other);
+        if (frame < 23) renderer().render(shot_.frame());
+    }
+    const double with_others = off(next());
+    std::cout << fmt::format("error 1/{:.1f}, with others 1/{:.1f}\n", raw / alone,
+                             raw / with_others);
+    EXPECT_LT(alone, raw / 2.0);
+    EXPECT_LT(with_others, 1.3 * alone);
+}
+
 TEST_F(Filter, ForgetsALampThatIsGone) {
     load("rooms");
     set("pt_nee", "sll"); // which finds the lamp at once

@@ -77,7 +77,7 @@ REFERENCE = part("reference", "tests/bench/reference_test.cpp", "src/bench/refer
 
 # Validation takes time, and notices other faults.
 GUIDING = whole("guiding", "guiding_passes_test", VIGIL_VALIDATION="0")
-DIRECTIONS = whole("guiding", "guiding_directions_test", VIGIL_VALIDATION="0")
+GUIDED_DIRECTIONS = whole("guiding", "guiding_directions_test", VIGIL_VALIDATION="0")
 ANALYTIC = whole("vkpt", "vkpt_analytic_test", VIGIL_VALIDATION="0")
 FILTER = whole("vkpt", "vkpt_filter_test", VIGIL_VALIDATION="0")
 TECHNIQUE = whole("vkpt", "vkpt_technique_test", VIGIL_VALIDATION="0")
@@ -354,7 +354,7 @@ FAULTS = [
           "!(subgroup_number(vertex) < wanted)", "!(subgroup_number(vertex) < 0.96 * wanted)",
           EXTREMES, "Extremes.CachesThatKnowNothing"),
     Fault("vlc: the table keeps lights that the cache has", "shaders/light/vlc.glsl",
-          "if (probability > 0.0 && !((beside > 0.0 || from_cut) && cached)) choice", "if (probability > 0.0) choice",
+          "if (probability > 0.0 && !(beside > 0.0 && cached)) choice", "if (probability > 0.0) choice",
           TECHNIQUE, "*KeepsItsPromises/vlc_Default"),
     Fault("mixture of vlc: cuts count 3% too likely", "shaders/light/vlc.glsl",
           "probability = shares.cut * draw.probability;", "probability = 1.03 * shares.cut * draw.probability;",
@@ -445,14 +445,14 @@ FAULTS = [
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
     Fault("guiders: what rays of the BRDF estimated counts 5% too little", "shaders/guiding/guide_adapt.comp",
           "vec3(1.0 - part, part,", "vec3(0.95 * (1.0 - part), part,",
-          DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
+          GUIDED_DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
     Fault("guiders: what rays of the BRDF alone would estimate counts 5% too little", "shaders/guiding/guide_adapt.comp",
           "(1.0 - used) / max(1.0 - part, 1e-3)", "0.95 * (1.0 - used) / max(1.0 - part, 1e-3)",
-          DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
+          GUIDED_DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
     Fault("quadtrees: the parts of a split leaf have 4% too little", "shaders/guiding/cdq.glsl",
-          "0.25 * sum_of(leaf)", "0.24 * sum_of(leaf)", DIRECTIONS, "*WithMemory/0"),
+          "0.25 * sum_of(leaf)", "0.24 * sum_of(leaf)", GUIDED_DIRECTIONS, "*WithMemory/0"),
     Fault("guiders: a new node remembers the sums of the leaf that it was", "shaders/guiding/octree_augment.comp",
-          "? share_of_part(share) : share", "? share : share", DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
+          "? share_of_part(share) : share", "? share : share", GUIDED_DIRECTIONS, "*SharesFollowWhatRaysEstimated/0"),
     Fault("guiders: a lobe's density is 4% too large", "shaders/guiding/lobe.glsl",
           "return (guide.power + 1.0) / (4.0 * PI)", "return 1.04 * (guide.power + 1.0) / (4.0 * PI)",
           ANALYTIC, "Analytic.WhiteFurnaceByGuidedRays"),
@@ -467,6 +467,8 @@ FAULTS = [
     Fault("filtered surfaces lack 4% of their light", "shaders/filter/filter_compose.comp",
           "* (light.direct + light.indirect);", "* 0.96 * (light.direct + light.indirect);", FILTER,
           "Filter.MakesACalmPictureOfTheSameLight"),
+    Fault("filter: surfaces are known by their place in the list", "shaders/filter/filter_temporal.comp",
+          "load_instance(hit.instance).entity + 1u", "hit.instance", FILTER, "Filter.AModelKeepsItsPastWhateverComesBeforeItInTheList"),
     Fault("pixels that trace no indirect light in a frame count as dark in 4% of one", "shaders/filter/filter_temporal.comp",
           "traced || asks ? 1.0 : 0.0", "traced || asks ? 1.0 : 0.04", FILTER, "Filter.HalfOfTheIndirectLightHasTheMeanOfAll"),
     Fault("raw pictures, too, trace half of the indirect light", "src/refresh/vkpt/renderer.cpp",
@@ -539,6 +541,8 @@ FAULTS = [
     Fault("a light that flickers counts as one that appears", "src/refresh/vkpt/scene/light_set.cpp",
           "if (moved || ((went_on || went_out) && !flickers)) ++place_revision_;",
           "if (moved || went_on || went_out) ++place_revision_;", LIGHT_SET, "LightSet*"),
+    Fault("lights: what takes the place of one that went out is its flicker", SCENE + "light_set.cpp",
+          "went_out_[slot.first + i] = 0;", ";", LIGHT_SET, "LightSet*"),
     Fault("a light that flickers is new each time", "src/refresh/vkpt/scene/light_set.cpp",
           "if (went_on && !flickers) ++new_revision_;", "if (went_on) ++new_revision_;", LIGHT_SET, "LightSet*"),
     Fault("a light that goes on is not new", "src/refresh/vkpt/scene/light_set.cpp",
