@@ -206,8 +206,8 @@ void LevelView::read_lights(std::span<const ViewLight> lights, double time_s, fl
         lights_[i].id = ids[i];
     for (size_t i = 0; i < level_lights_.size(); ++i) {
         const LevelLight& light = level_lights_[i];
-        const float style = styles_.at(static_cast<size_t>(light.style));
-        if (!(style > 0.0f)) continue;
+        // One that is dark now keeps its place, so that it can flicker.
+        const float style = std::max(styles_.at(static_cast<size_t>(light.style)), 0.0f);
         lights_.push_back({first_level_id + static_cast<uint32_t>(i), light.origin,
                            level_light_radius, style * light.radiance, false});
     }

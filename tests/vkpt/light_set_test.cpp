@@ -150,6 +150,24 @@ TEST(LightSet, VanishedLightsAreDarkAndTheirSlotsTakenOver) {
     EXPECT_EQ(set.lights().size(), 6u);
 }
 
+// It is no flicker of the one before.
+TEST(LightSet, ALightInTheSlotOfOneThatWentOutIsNew) {
+    LightSet set;
+    const std::vector<LightSource> sources{triangle({1, 0, 0})};
+    const auto show = [&](uint64_t key, float tint) {
+        set.begin_frame(full_styles, 1.0f);
+        EXPECT_EQ(set.place(key, sources, glm::mat4x3(1.0f), glm::vec3(tint)), 0u);
+        set.end_frame();
+    };
+    show(1, 1.0f);
+    show(1, 0.0f);
+    set.begin_frame(full_styles, 1.0f);
+    set.end_frame();
+    const uint64_t before = set.new_revision();
+    show(2, 1.0f);
+    EXPECT_GT(set.new_revision(), before);
+}
+
 TEST(LightSet, AnEntityThatChangesItsModelLeavesNoLightBehind) {
     LightSet set;
     const std::vector<LightSource> two(2, triangle({1, 1, 1})), three(3, triangle({1, 1, 1}));

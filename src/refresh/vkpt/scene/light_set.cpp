@@ -180,8 +180,10 @@ std::optional<uint32_t> LightSet::place(uint64_t key, std::span<const LightSourc
 }
 
 void LightSet::release(const Slot& slot) {
-    for (uint32_t i = 0; i < slot.count; ++i)
+    for (uint32_t i = 0; i < slot.count; ++i) {
         lights_[slot.first + i].radiance = glm::vec3(0.0f);
+        went_out_[slot.first + i] = 0; // the next light here is another one
+    }
     ++revision_;
     ++place_revision_;
     ++moving_revision_;
