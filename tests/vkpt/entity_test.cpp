@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace vigil::test {
 namespace {
@@ -277,6 +278,29 @@ TEST_P(EntityTest, SkinsAndShells) {
     };
     EXPECT_NEAR(height_of_shell(0), 5.0f, 1e-3f);
     EXPECT_NEAR(height_of_shell(refresh::entity_in_front), 1.5f, 1e-3f);
+}
+
+TEST_P(EntityTest, NewModelsTakeNoPoseThatIsShown) {
+    load_dark();
+    const refresh::ModelHandle box = renderer().register_model("models/box.md2");
+    Shot shot = along_x({});
+    for (const int number : {2, 3}) {
+        refresh::Entity& entity = shot.entities.emplace_back(placed(box, {}, {}));
+        entity.number = number;
+        entity.frame = number % 2;
+    }
+    const auto poses = [&] {
+        radiance(shot);
+        std::map<uint32_t, uint32_t> roots;
+        for (const shader::Instance& instance : renderer().scene()->host_instances())
+            roots[instance.entity] = instance.bvh_root;
+        return roots;
+    };
+    const auto before = poses();
+    shot.entities.insert(shot.entities.begin(), placed(box, {}, {}));
+    auto after = poses();
+    after.erase(1);
+    EXPECT_EQ(after, before);
 }
 
 TEST_P(EntityTest, SpritesFaceTheCamera) {

@@ -159,5 +159,37 @@ TEST_F(TextureSetTest, AnimationFramesLieInARow) {
     EXPECT_EQ(textures.consecutive({&red}), red.header);
 }
 
+// Devices read no more than maxTexelBufferElements texels.
+TEST_F(TextureSetTest, FitsByLeavingOutTheLargestLevels) {
+    write_tga("textures/large.tga", 16, 16, 128);
+    write_tga("textures/small.tga", 4, 4, 64);
+    TextureSet textures(files_);
+    const TextureSet::Entry large = textures.texture("large");
+    const TextureSet::Entry colour = textures.flat({0.25f, 0.5f, 1.0f});
+    const TextureSet::Entry small = textures.texture("small");
+    const uint32_t frames = textures.consecutive({&large, &small});
+    const std::vector<uint32_t> before = textures.texels();
+    ASSERT_EQ(before.size(), 341u + 1u + 21u);
+    EXPECT_EQ(textures.fit(before.size()), 0u);
+    EXPECT_EQ(textures.fit(before.size() - 1), 1u);
+    EXPECT_EQ(textures.texels().size(), before.size() - 256);
+    const auto header = [&](uint32_t index) { return textures.headers()[index]; };
+    for (const uint32_t index : {large.header, frames}) {
+        EXPECT_EQ(header(index).first_texel, 0u);
+        EXPECT_EQ(glm::uvec2(header(index).width, header(index).height), glm::uvec2(8, 8));
+        EXPECT_EQ(header(index).mip_count, 4u);
+    }
+    EXPECT_EQ(header(small.header).width, 4u);
+    EXPECT_TRUE(std::equal(textures.texels().begin(), textures.texels().end(), before.begin() + 256,
+                           before.end()));
+    EXPECT_EQ(header(colour.header).first_texel, 85u);
+    EXPECT_EQ(header(small.header).first_texel, 86u);
+    // Single texels stay, whatever the limit.
+    EXPECT_EQ(textures.fit(0), 2u);
+    EXPECT_EQ(textures.texels().size(), 3u);
+    EXPECT_EQ(header(frames + 1).first_texel, header(small.header).first_texel);
+    EXPECT_EQ(decode_rgb9e5(textures.texels()[header(colour.header).first_texel]).z, 1.0f);
+}
+
 } // namespace
 } // namespace vigil::vkpt

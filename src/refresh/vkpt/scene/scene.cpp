@@ -290,8 +290,12 @@ bool Scene::prepare(const refresh::Frame& frame) {
     top_instances_.clear();
     previous_transforms_.swap(transforms_);
     transforms_.clear();
-    for (auto& [number, pose] : poses_)
+    // What is shown again keeps its pose, however early a new entity is in the list.
+    for (auto& [key, pose] : poses_)
         pose.used = false;
+    for (const refresh::Entity& entity : frame.entities)
+        if (const auto known = poses_.find({entity.model, entity.number}); known != poses_.end())
+            known->second.used = true;
     lights_.begin_frame(frame.light_styles, frame.settings.pt_emissive_scale,
                         environment(frame.settings));
     const glm::mat4x3 identity(1.0f);
@@ -369,6 +373,10 @@ bool Scene::upload_static() {
     replace(triangles_buffer_, triangles_, "triangles");
     replace(primitives_buffer_, primitives_, "primitives");
     replace(materials_buffer_, materials_->materials(), "materials");
+    const uint32_t most = device_.properties().limits.maxTexelBufferElements;
+    if (const size_t cut = textures_->fit(most); cut > 0)
+        log_warning("{} pictures are shown in less detail: this device reads at most {} texels",
+                    cut, most);
     replace(textures_buffer_, textures_->headers(), "texture headers");
     replace(texels_buffer_, textures_->texels(), "texels");
     static_dirty_ = false;

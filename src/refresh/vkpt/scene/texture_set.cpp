@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace vigil::vkpt {
 
@@ -219,6 +221,59 @@ std::optional<uint32_t> TextureSet::sky_box(std::string_view sky) {
     for (const std::optional<Image>& side : sides)
         add(*side, false);
     return first;
+}
+
+std::size_t TextureSet::fit(std::size_t most) {
+    if (texels_.size() <= most) return 0;
+    struct Picture {
+        shader::Texture kept; // first_texel as before
+        std::size_t count;    // of all that is kept
+    };
+    std::map<uint32_t, Picture> pictures; // by the first texel: frames of animations share theirs
+    for (const shader::Texture& header : headers_)
+        pictures.try_emplace(header.first_texel, Picture{header, 0});
+    for (auto picture = pictures.begin(); picture != pictures.end(); ++picture) {
+        const auto next = std::next(picture);
+        const std::size_t end = next != pictures.end() ? next->first : texels_.size();
+        picture->second.count = end - picture->first;
+    }
+    const auto smaller = [](const Picture* a, const Picture* b) {
+        const auto area = [](const shader::Texture& of) {
+            return of.mip_count > 1 ? size_t{of.width} * of.height : 0;
+        };
+        return area(a->kept) < area(b->kept);
+    };
+    std::vector<Picture*> by_size;
+    for (auto& [first, picture] : pictures)
+        by_size.push_back(&picture);
+    std::ranges::make_heap(by_size, smaller);
+    std::set<const Picture*> cut;
+    std::size_t count = texels_.size();
+    while (count > most && by_size.front()->kept.mip_count > 1) {
+        std::ranges::pop_heap(by_size, smaller);
+        Picture& picture = *by_size.back();
+        shader::Texture& kept = picture.kept;
+        const uint32_t texels = kept.width * kept.height;
+        kept.first_texel += texels;
+        kept.width = std::max(kept.width / 2, 1u);
+        kept.height = std::max(kept.height / 2, 1u);
+        --kept.mip_count;
+        picture.count -= texels;
+        count -= texels;
+        cut.insert(&picture);
+        std::ranges::push_heap(by_size, smaller);
+    }
+    std::vector<uint32_t> texels;
+    texels.reserve(count);
+    for (auto& [first, picture] : pictures) {
+        const auto from = texels_.begin() + picture.kept.first_texel;
+        picture.kept.first_texel = static_cast<uint32_t>(texels.size());
+        texels.insert(texels.end(), from, from + static_cast<std::ptrdiff_t>(picture.count));
+    }
+    for (shader::Texture& header : headers_)
+        header = pictures.at(header.first_texel).kept;
+    texels_ = std::move(texels);
+    return cut.size();
 }
 
 } // namespace vigil::vkpt

@@ -49,6 +49,10 @@ public:
     /// Six consecutive headers in the order of formats/sky.h; nothing if any side is missing.
     std::optional<uint32_t> sky_box(std::string_view sky);
 
+    /// Leaves out the largest levels of textures with mip levels, the largest first, until there
+    /// are at most `most` texels. Returns how many textures lost any.
+    std::size_t fit(std::size_t most);
+
     const std::vector<shader::Texture>& headers() const { return headers_; }
     const std::vector<uint32_t>& texels() const { return texels_; }
     /// Names that were looked for and not found.
