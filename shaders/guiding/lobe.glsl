@@ -20,10 +20,11 @@ struct Guide {
 Guide guide_prepare(uvec4 words) {
     const vec4 sums = uintBitsToFloat(words);
     Guide guide = Guide(vec3(0.0, 0.0, 1.0), 0.0);
-    const float size = length(sums.xyz);
-    if (!(size > 1e-6 * sums.w)) return guide;
-    guide.mean = sums.xyz / size;
-    const float r = min(size / sums.w, 1.0);
+    const vec3 mean = sums.xyz / sums.w; // first: squares of the sums may overflow
+    const float size = length(mean);
+    if (!(size > 1e-6)) return guide;
+    guide.mean = mean / size;
+    const float r = min(size, 1.0);
     guide.power = min(2.0 * r / max(1.0 - r, 1e-6), LOBE_SHARPEST);
     return guide;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The lights that may be seen from a surface's PVS cluster, and the strided walk through them of the paper's section 7: at most
-// `most` of them from a drawn start, one chosen in proportion to its importance. `sll` draws so alone, `vlc` looks for new
-// lights so. Host side: refresh/vkpt/light/cluster_lists.cpp.
+// `most` of them from a drawn start, one chosen in proportion to its importance. `sll` draws so.
+// Host side: refresh/vkpt/light/cluster_lists.cpp.
 #ifndef VIGIL_LIGHT_LIGHT_LIST_GLSL
 #define VIGIL_LIGHT_LIGHT_LIST_GLSL
 

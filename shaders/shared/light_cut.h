@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a group of near lamps may add to a surface: how the technique `cut` weighs a whole subtree of lights at once. Host
-// side: refresh/vkpt/light/light_cuts.h; walked by light/cut.glsl.
+// side: refresh/vkpt/light/light_cuts.h; drawn from by light/cut_draw.glsl.
 #ifndef VIGIL_SHARED_LIGHT_CUT_H
 #define VIGIL_SHARED_LIGHT_CUT_H
 

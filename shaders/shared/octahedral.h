@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The octahedral map between directions and the unit square (Meyer et al., "On Floating-Point
-// Normal Vectors", 2010) and the density factor between the two (DESIGN.md, "The estimator"). The
+// Normal Vectors", 2010) and the density factor between the two. The
 // upper half of the octahedron (z >= 0) is the inner diamond; the lower half folds over into the
 // corners.
 #ifndef VIGIL_SHARED_OCTAHEDRAL_H

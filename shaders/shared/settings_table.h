@@ -64,7 +64,7 @@
     INTEGER(pt_subdivide, Session, Picture, 0, 0, 6, \
         "N above 0: The surfaces of the next level are cut into 4^N times as many triangles. It measures what triangles cost.") \
     GPU_INTEGER(pt_seed, Session, Picture, 0, 0, 2147483647, \
-        "Seed of all random numbers. The same seed gives the same picture.") \
+        "Seed of all random numbers.") \
     GPU_INTEGER(pt_bounces, Archived, Reference, 1, 0, 8, \
         "Number of indirect hits at which lights are sampled.") \
     GPU_INTEGER(pt_tail, Archived, Reference, 0, 0, 1, \
@@ -150,7 +150,7 @@
     INTEGER(pt_env_nee, Archived, Reference, 1, 0, 1, \
         "1: Sky and sun are sampled as lights. 0: Rays find them by chance, as in the paper.") \
     INTEGER(pt_sky_lights, Session, Reference, 24, 2, 4096, \
-        "Most lights that the level's windows to the sky are cut into. A level with more windows has one light for each.") \
+        "Most lights that the level's windows to the sky are cut into. A level with more windows has two lights for each.") \
     GPU_REAL(pt_emissive_scale, Session, Reference, 1.0, 0.0, 1e6, "Factor on the radiance of glowing faces.") \
     GPU_INTEGER(pt_emissive_texture, Session, Reference, 1, 0, 1, \
         "1: Lamps in view show their texture. 0: They show their mean radiance.") \

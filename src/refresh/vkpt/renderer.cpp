@@ -71,7 +71,10 @@ void VkptRenderer::load_level(std::shared_ptr<const Level> level,
     first_frame_ = frame_number_;
     accumulation_key_.clear();
     ray_query_failed_ = false;
-    if (std::exchange(frame_unfinished_, false)) draws_.forget_copies(); // all else is made anew
+    if (std::exchange(frame_unfinished_, false)) { // all else is made anew
+        buffers_.forget_copies();
+        draws_.forget_copies();
+    }
     shown_ = {};
     guiding_work_ = {};
     reset_guiding();
@@ -139,6 +142,7 @@ void VkptRenderer::make_buffers(glm::uvec2 size) {
                        "picture");
     buffers_.resize(size, most, resolution_.scales());
     post_.bind();
+    draws_.forget_display();
     picture_ = std::move(picture);
     accumulation_key_.clear();
     traced_ = false;

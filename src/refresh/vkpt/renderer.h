@@ -79,7 +79,6 @@ public:
     bool guided() const { return left_.technique()->uses_guiding() || guide().guides(); }
     const Legend& legend() const { return legends_[0]; }
     /// The right side while pt_compare splits the picture, else null.
-    Side* right_side() { return right_ ? &*right_ : nullptr; }
     const SideLabels& side_labels() const { return side_labels_; }
     /// Where the right side begins; the picture's width while there is none.
     uint32_t split_column() const;

@@ -19,7 +19,7 @@ namespace vigil::vkpt {
 struct LegendSubject {
     int view = 0; // VIEW_*: shaders/shared/views.h
     Technique technique = Technique::sll;
-    bool samples_lights = false; // as in FrameParams
+    bool samples_lights = false; // the technique does, and there are lights
     bool guided = false;
     glm::uvec2 picture_size{0, 0};
     bool caches = false;       // the technique draws from light caches, and explores
@@ -59,8 +59,8 @@ struct LegendPixels {
 /// Letters are 13 pixels high, doubled or tripled in tall pictures.
 LegendPixels draw_legend(const LegendContent& content, uint32_t picture_height);
 
-/// Records the copy of pixels into a display buffer (rows of picture_size.x words), with the
-/// barriers it needs after the pass before and before what follows. They must lie inside.
+/// Records the copy of pixels into a display buffer (rows of picture_size.x words), behind a
+/// barrier. What follows must wait for copies. They must lie inside.
 void record_pixels(gpu::FrameCommands& commands, const gpu::Buffer& display,
                    glm::uvec2 picture_size, glm::uvec2 corner, const LegendPixels& pixels);
 
@@ -74,8 +74,8 @@ public:
         glm::uvec2 size{0, 0};
     };
 
-    /// Records the copy into `display`, with barriers, into the lower left corner of the side's
-    /// columns. Draws anew only when the subject changes.
+    /// Records the copy into `display`, as record_pixels() does, into the lower left corner of the
+    /// side's columns. Draws anew only when the subject changes.
     void record(gpu::FrameCommands& commands, const gpu::Buffer& display,
                 const LegendSubject& subject);
     /// As recorded last.

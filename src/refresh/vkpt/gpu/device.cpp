@@ -245,16 +245,20 @@ void Device::pick_physical_device(const DeviceOptions& options) {
         fail("no Vulkan driver found. Install mesa-vulkan-drivers, or the driver of your GPU's "
              "vendor.");
 
-    int wanted_index = -1;
-    std::from_chars(options.name.data(), options.name.data() + options.name.size(), wanted_index);
+    // A number is an index, if there are so many devices: names have digits, too.
+    const char* const name_end = options.name.data() + options.name.size();
+    uint32_t wanted_index = 0;
+    const auto [number_end, error] = std::from_chars(options.name.data(), name_end, wanted_index);
+    const bool by_index =
+        error == std::errc() && number_end == name_end && wanted_index < devices.size();
     std::string rejected;
     int best_rank = 1000;
     for (uint32_t i = 0; i < count; ++i) {
         VkPhysicalDeviceProperties properties;
         vkGetPhysicalDeviceProperties(devices[i], &properties);
         const std::string name = properties.deviceName;
-        const bool named = options.name.empty() || wanted_index == static_cast<int>(i) ||
-                           name.find(options.name) != std::string::npos;
+        const bool named =
+            by_index ? wanted_index == i : name.find(options.name) != std::string::npos;
         if (!named) {
             rejected += fmt::format("\n  {} {}: not chosen by vk_device", i, name);
             continue;
@@ -342,7 +346,6 @@ void Device::create_device(const DeviceOptions& options) {
                         features_.llvmpipe_mesa);
     features_.is_cpu = properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     features_.subgroup_size = subgroup.subgroupSize;
-    features_.shared_memory_bytes = properties_.limits.maxComputeSharedMemorySize;
     features_.max_storage_buffer_bytes = properties_.limits.maxStorageBufferRange;
     features_.timestamp_bits = queue_families(physical_)[queue_family_].timestampValidBits;
     if (features_.timestamp_bits > 0)

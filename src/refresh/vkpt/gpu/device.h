@@ -48,7 +48,6 @@ struct DeviceFeatures {
     bool is_cpu = false;
     int llvmpipe_mesa = 0; // Mesa's version where this is its software driver, else 0
     uint32_t subgroup_size = 0;
-    uint32_t shared_memory_bytes = 0;
     uint64_t max_storage_buffer_bytes = 0;
     float timestamp_period_ns = 0.0f; // 0: no timestamps on this queue
     uint32_t timestamp_bits = 0;

@@ -57,8 +57,8 @@ constexpr double samples_per_light = 0.75;
 /// While the picture changes, of a leaf's samples as many count. Large pictures have more, and
 /// their caches gain as much by learning from each frame.
 constexpr uint64_t samples_per_leaf = 32;
-/// Guiders learn from every frame that they draw rays of, until so many times the rays that they
-/// follow have taught them.
+/// Guiders learn from every frame that they draw rays of, until surfaces have stored so many times
+/// as many samples as there are rays that guiders follow.
 constexpr uint64_t guide_memories = 16;
 /// Guiders draw rays in all of so many first frames: nothing is known of their gain.
 constexpr uint32_t guide_frames = 8;
@@ -224,8 +224,8 @@ bool Guiding::prepare(const Options& options) {
 
 void Guiding::make_buffers() {
     const uint64_t pixels = uint64_t{options_.picture_size.x} * options_.picture_size.y;
-    header_.node_capacity = node_capacity(options_);
-    const uint64_t nodes = header_.node_capacity, leaves = 8 * nodes;
+    header_.node_capacity = 0; // if making any fails, the next frame tries again
+    const uint64_t nodes = node_capacity(options_), leaves = 8 * nodes;
     header_.sample_capacity =
         sample_capacity(pixels, samples_per_surface * (1 + options_.bounces), leaves);
     header_.ray_capacity = sample_capacity(pixels, rays_per_bounce * options_.bounces, nodes);
@@ -253,6 +253,7 @@ void Guiding::make_buffers() {
     nodes_before_ = 0;
     bind(trees_[0], trees_[1]);
     bind(trees_[1], trees_[0]);
+    header_.node_capacity = static_cast<uint32_t>(nodes);
 }
 
 void Guiding::bind(Tree& from, const Tree& to) {
@@ -406,9 +407,9 @@ uint32_t Guiding::turn_for(const shader::GuidingWork& work) const {
 }
 
 void Guiding::follow_gain(const shader::GuidingWork& work) {
-    guide_rays_ += work.samples;
+    samples_ever_ += work.samples;
     guiders_begin_ =
-        guide_rays_ < guide_memories * options_.settings.memory_rays * uint64_t{work.nodes};
+        samples_ever_ < guide_memories * options_.settings.memory_rays * uint64_t{work.nodes};
     const auto plain = std::bit_cast<float>(work.spreads[shader::GUIDE_SPREAD_PLAIN]);
     const auto guided = std::bit_cast<float>(work.spreads[shader::GUIDE_SPREAD_GUIDED]);
     if (!(plain > 0.0f) || !std::isfinite(guided / plain)) return;
@@ -441,7 +442,7 @@ void Guiding::record(gpu::FrameCommands& commands, size_t slot, Change change,
     age_ = restart_ ? 0 : age_ + 1;
     frames_ = change >= Change::Lights || restart_ ? 0 : frames_ + 1;
     if (frames_ == 0) {
-        guide_rays_ = 0;
+        samples_ever_ = 0;
         guiders_begin_ = true;
     }
     const shader::GuidingHeader before = header_;

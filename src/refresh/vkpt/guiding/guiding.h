@@ -143,8 +143,8 @@ private:
     uint32_t still_frames_ = 0; // since something changed, or the octree began
     uint32_t frames_ = 0;       // since Change::Lights, or the octree began
     uint32_t age_ = 0;          // frames since the octree began
-    uint64_t guide_rays_ = 0;   // that were to teach guiders since then
-    bool guiders_begin_ = true; // they learn from each frame that they draw rays of
+    uint64_t samples_ever_ = 0; // that surfaces stored, since frames_ was 0
+    bool guiders_begin_ = true; // guiders learn from each frame that they draw rays of
     double gain_ = 1.0;         // of guiders, lately: 1 - the ratio of both spreads (GuidingWork)
     uint32_t turn_ = 1;         // of so many frames one teaches
     uint32_t learned_ = 0;      // frames learned from

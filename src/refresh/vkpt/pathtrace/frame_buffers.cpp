@@ -78,6 +78,10 @@ void FrameBuffers::describe(gpu::FrameCommands& commands, const FrameDescription
     commands.upload(frame_, 0, gpu::bytes_of_value(params));
 }
 
+void FrameBuffers::forget_copies() {
+    copied_.reset();
+}
+
 void FrameBuffers::resize(glm::uvec2 picture, glm::uvec2 size, bool scales) {
     const uint64_t pixels = uint64_t{size.x} * size.y;
     const auto make = [&](uint64_t bytes, const char* name) {

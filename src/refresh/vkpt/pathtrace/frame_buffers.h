@@ -32,6 +32,8 @@ public:
     void bind(const Scene& scene, const LightTechnique& technique, const LightTechnique& right);
     /// Describes the next frame. Records the copy of its parameters, if they have changed.
     void describe(gpu::FrameCommands& commands, const FrameDescription& frame);
+    /// A frame that was described never ran: what the buffers have is not known.
+    void forget_copies();
 
     /// What a dispatch for one side reads: the sets, and whose path it traces (PassConstants).
     struct SideInputs {

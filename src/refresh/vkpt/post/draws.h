@@ -39,6 +39,8 @@ public:
     void record(gpu::FrameCommands& commands);
     /// Nobody knows whether what was recorded was done: all is copied again.
     void forget_copies();
+    /// The display buffer of before is gone: another may have its handle.
+    void forget_display() { display_ = VK_NULL_HANDLE; }
 
 private:
     struct Picture {
