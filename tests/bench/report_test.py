@@ -418,6 +418,24 @@ class Kept(unittest.TestCase):
             joined = kept.join(joined, self.measured(part, value))
         self.assertEqual([(part["part"], part["rows"][0]["mse"]["value"]) for part in joined["parts"]], [("w", 3.0), ("g", 2.0)])
 
+    def test_reads_what_test_programs_recorded(self):
+        tests = [{"name": "Costs", "measured/rest/mse": "2.5", "measured/rest/error": "0.5", "result": "COMPLETED"}, {"name": "Other", "result": "COMPLETED"}]
+        joined = kept.join(None, {"testsuites": [{"testsuite": tests}]})
+        self.assertEqual(joined, {"parts": [{"part": "Costs", "rows": [{"label": "rest", "mse": 2.5, "error": 0.5}]}]})
+
+    def test_reads_traced_levels(self):
+        level = {"name": "w", "triangles": 7, "build_ms": 1.0, "rows": [{"rays": "shadow", "ratio": 0.5}]}
+        part = kept.join(None, {"device": "d", "levels": [level]})["parts"][0]
+        self.assertEqual((part["part"], part["device"], part["rows"]), ("w", "d", [{"rays": "shadow", "ratio": 0.5, "label": "shadow"}]))
+
+    def test_reads_timed_demos(self):
+        passes = [{"name": "direct", "share": 0.5}, {"name": "filter_taa", "share": 0.25}, {"name": "filter_tiles", "share": 0.25}]
+        joined = None
+        for name, fps in (("fast", 9.0), ("balanced", 6.0)):
+            joined = kept.join(joined, {"demo": "w", "fps": fps, "repetitions": [{}, {}], "passes": passes}, name)
+        self.assertEqual([(part["part"], part["rows"][0]["fps"], part["rows"][0]["share"]["filter"]) for part in joined["parts"]],
+                         [("fast", 9.0, 0.5), ("balanced", 6.0, 0.5)])
+
     def test_refuses_what_is_not_finished(self):
         with self.assertRaises(ValueError):
             kept.join(None, self.measured("w", 1.0, finished=False))

@@ -44,6 +44,13 @@ public:
             const std::string line =
                 fmt::format("{} {}: {}", label_, "RGB"[channel], result.text());
             std::cout << line << '\n';
+            const auto record = [&](std::string_view name, double value) {
+                testing::Test::RecordProperty(
+                    fmt::format("measured/{} {}/{}", label_, "RGB"[channel], name),
+                    fmt::format("{:.6g}", value));
+            };
+            record("bias", result.bias);
+            record("standard_error", result.bias_error);
             EXPECT_GE(result.blocks, bounds.blocks) << line;
             EXPECT_TRUE(result.agrees(score_limit)) << line;
             EXPECT_LT(result.found_from(), bounds.everywhere) << line << ": a bias could hide";

@@ -19,7 +19,8 @@ struct Bounds {
     std::size_t blocks = 3;    // at least so many are judged in each channel
 };
 
-/// Says in one line per channel what was seen.
+/// Says in one line per channel what was seen, and records bias and standard_error as
+/// measured/LABEL R (G, B).
 void judge(std::string_view label, const PictureBatches& seen, const PictureBatches& reference,
            const Bounds& bounds);
 

@@ -105,25 +105,27 @@ protected:
         return mean;
     }
 
-    /// Prints a row of docs/research/moving_lights.md for each speed.
-    std::map<double, Errors> compare_speeds(const std::string& name, const Shot& view,
-                                            client::TestLights& lights, int warmup, int seeds,
-                                            int reference_pictures, int reference_paths) {
+    /// Records a row of docs/research/moving_lights.md for each speed.
+    std::map<double, Errors> compare_speeds(const Shot& view, client::TestLights& lights,
+                                            int warmup, int seeds, int reference_pictures,
+                                            int reference_paths) {
         const std::vector<double> mean =
             reference(wandering(view, lights, judged_s), reference_pictures, reference_paths);
         set("pt_nee", "vlc");
         set("pt_guide", "cdq");
         std::map<double, Errors> found;
-        std::cout
-            << "| level | units per second | MSE | of rest | without the worst 1% | of rest |\n"
-               "|---|---|---|---|---|---|\n";
         for (const double speed : {0.0, 1.0, 4.0}) {
             const Errors row = found[speed] = errors(view, lights, speed, warmup, seeds, mean);
-            const Errors& rest = found[0.0];
-            std::cout << fmt::format(
-                "| {} | {:.0f} | {:.4g} +- {:.2g} | {:.2f} | {:.4g} | {:.2f} |\n", name,
-                speed * static_cast<double>(client::TestLights::speed), row.mse, row.mse_error,
-                row.mse / rest.mse, row.trimmed, row.trimmed / rest.trimmed);
+            const double units = speed * static_cast<double>(client::TestLights::speed);
+            const auto record = [&](const char* name, double value) {
+                RecordProperty(fmt::format("measured/{:.0f} units per second/{}", units, name),
+                               fmt::format("{:.6g}", value));
+                std::cout << fmt::format("{:.0f} units per second, {}: {:.4g}\n", units, name,
+                                         value);
+            };
+            record("mse", row.mse);
+            record("standard_error", row.mse_error);
+            record("trimmed_mse", row.trimmed);
         }
         return found;
     }
@@ -263,7 +265,7 @@ TEST_F(MovingLights, LeaveVlcUnbiased) {
 TEST_F(MovingLights, CostVlcLittle) {
     load("rooms");
     client::TestLights lights(load_level(files(), "rooms"));
-    const auto found = compare_speeds("rooms", in_rooms(), lights, 32, 16, 16, 512);
+    const auto found = compare_speeds(in_rooms(), lights, 32, 16, 16, 512);
     for (const auto& [speed, row] : found)
         EXPECT_LT(row.mse, 2.0 * found.at(0.0).mse) << speed;
 }
@@ -277,7 +279,7 @@ TEST_F(MovingLights, MeasuredInTheWarehouse) {
     const client::StartPlace start = client::find_start(level().bsp);
     Shot shot;
     shot.view = {start.origin, start.angles, 90};
-    const auto found = compare_speeds("warehouse", shot, lights, 32, 48, 16, 256);
+    const auto found = compare_speeds(shot, lights, 32, 48, 16, 256);
     for (const auto& [speed, row] : found)
         EXPECT_LT(row.mse, 2.0 * found.at(0.0).mse) << speed;
 }

@@ -102,7 +102,7 @@ with a message. A text that is no number or choice is refused.
 - **start** values are read once when the program starts. They belong on the command line (`vigil +set NAME VALUE`), or in
   front of `vid_restart`, which reads those with `vid_` and `vk_` anew.
 
-Values from the command line are never kept. A cfg file inside a game archive cannot set **guarded** variables. What it sets
+Values of `+set` before the first other command are never kept. A later `+set` is kept like one at the console. A cfg file inside a game archive cannot set **guarded** variables. What it sets
 of the others is not kept ([files.md](../internals/files.md)). Shaders read the variables marked *(GPU)*.
 
 *Affects* tells what a value changes. **display**: how finished radiance is shown. **picture**: the radiance too.

@@ -5,9 +5,10 @@ reference's brightest pixel; on a border are pixels whose neighbourhood of 3 x 3
 sees a pixel on a border bright or dark: its error is that of the picture, whatever chose the light.
 
     ./run bench quality ... --pictures out/pictures
-    python3 tools/report/error_map.py out/quality.json ROW
+    python3 tools/report/error_map.py out/quality.json ROW [OUT.json]    # prints a table; OUT.json gets its numbers
 """
 
+import json
 import sys
 from pathlib import Path
 
@@ -32,12 +33,12 @@ def parts_of(reference):
 
 
 def main(arguments):
-    if len(arguments) != 2:
+    if len(arguments) not in (2, 3):
         sys.exit(__doc__)
     report, row = tables.load(arguments[0], "quality"), arguments[1]
-    print("| view | " + " | ".join(f"{part}: pixels, MSE / mean²" for part in ("border", "inside", "elsewhere")) + " |")
-    print("| --- | --- | --- | --- |")
+    parts = []
     for part in report["parts"]:
+        rows = []
         for view in part["views"]:
             folder = Path(view.get("pictures", ""))
             runs = sorted(folder.glob(f"{row}_*.exr"))
@@ -46,8 +47,16 @@ def main(arguments):
             reference = load(folder / "reference.exr")
             error = numpy.mean([((load(run) - reference) ** 2).mean(axis=-1) for run in runs], axis=0)
             scale = error.size * float(reference.mean()) ** 2
-            cells = [f"{mask.sum()}, {error[mask].sum() / scale:.3g}" for mask in parts_of(reference).values()]
-            print(f"| {part['level']}, {view['name']} | " + " | ".join(cells) + " |")
+            masks = parts_of(reference)
+            rows.append({"label": view["name"]} | {name: {"pixels": int(mask.sum()), "value": float(error[mask].sum() / scale)} for name, mask in masks.items()})
+        parts.append({"part": part["part"], "rows": rows})
+    print("| view | " + " | ".join(f"{name}: pixels, MSE / mean²" for name in ("border", "inside", "elsewhere")) + " |")
+    print("| --- | --- | --- | --- |")
+    for part in parts:
+        for line in part["rows"]:
+            print(f"| {part['part']}, {line['label']} | " + " | ".join(f"{cell['pixels']}, {cell['value']:.3g}" for cell in list(line.values())[1:]) + " |")
+    if len(arguments) == 3:
+        Path(arguments[2]).write_text(json.dumps({key: report[key] for key in ("commit", "device", "width", "height")} | {"measured": "error map", "parts": parts}))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,11 @@ but without single runs.
 
     python3 tools/report/kept.py NAME REPORT.json [MORE.json ...]    # puts the parts of these reports into NAME.json
 
-A part takes the place of one of the same name. tools/docs/quoted_numbers.py quotes them as pages.NAME:PART/ROW/PATH."""
+A part takes the place of one of the same name. tools/docs/quoted_numbers.py quotes them as pages.NAME:PART/ROW/PATH.
+A report is one of `./run bench` or `./run crosscheck --json`, or of these:
+
+- What a test program writes with --gtest_output=json:REPORT.json. Each test is a part: its properties measured/ROW/FIELD are what it measured.
+- timedemo_json. The name of the file is the part, the demo its row, with the share of each pass in the frame."""
 
 import json
 import sys
@@ -27,15 +31,53 @@ def with_views(value):
     return [with_views(inner) for inner in value] if isinstance(value, list) else value
 
 
-def join(joined, report):
+def traced(levels):
+    """Parts of `bench trace`."""
+    return [{"part": level["name"], "triangles": level["triangles"], "build_ms": level["build_ms"],
+             "rows": [row | {"label": row["rays"]} for row in level["rows"]]} for level in levels]
+
+
+def recorded(suites):
+    """Parts of a test program's report."""
+    parts = []
+    for test in (test for suite in suites for test in suite["testsuite"]):
+        rows = {}
+        for name, value in test.items():
+            if name.startswith("measured/"):
+                row, _, field = name.removeprefix("measured/").rpartition("/")
+                rows.setdefault(row, {"label": row})[field] = float(value)
+        if rows:
+            parts.append({"part": test["name"], "rows": list(rows.values())})
+    return parts
+
+
+def flown(report, name):
+    """A part of one row."""
+    shares = {one["name"]: one["share"] for one in report["passes"]}
+    shares["filter"] = sum(share for name, share in shares.items() if name.startswith("filter_"))
+    row = {"label": report["demo"], "fps": report["fps"], "runs": len(report["repetitions"]), "share": shares}
+    return {"part": name, "rows": [row]}
+
+
+def parts_of(report, name):
+    if "levels" in report:
+        return traced(report["levels"])
+    if "testsuites" in report:
+        return recorded(report["testsuites"])
+    return [flown(report, name)] if "repetitions" in report else report["parts"]
+
+
+def join(joined, report, name=""):
     """Puts the parts of a finished report into one that join() made, or into None. Each part says what the report did of all."""
-    if not report["finished"]:
+    if not report.get("finished", True):
         raise ValueError("a report is not finished")
     parts = {part["part"]: part for part in joined["parts"]} if joined else {}
-    for part in report["parts"]:
-        views = part["views"]
-        parts[part["part"]] = ({key: report[key] for key in OF_REPORT if key in report} | tables.rounded(with_views(part), SINGLE) |
-                               {"views": len(views) if isinstance(views, list) else views})
+    for part in parts_of(report, name):
+        kept = {key: report[key] for key in OF_REPORT if key in report} | tables.rounded(with_views(part), SINGLE)
+        views = part.get("views")
+        if views is not None:
+            kept["views"] = len(views) if isinstance(views, list) else views
+        parts[part["part"]] = kept
     return {"parts": list(parts.values())}
 
 
@@ -44,7 +86,7 @@ def main(name, paths):
     joined = json.loads(path.read_text()) if path.exists() else None
     for source in paths:
         try:
-            joined = join(joined, json.loads(Path(source).read_text()))
+            joined = join(joined, json.loads(Path(source).read_text()), Path(source).stem)
         except (OSError, ValueError, KeyError) as fault:
             sys.exit(f"{source}: {fault}")
     FOLDER.mkdir(exist_ok=True)
