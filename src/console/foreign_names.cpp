@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view no_camera = "The camera is a pinhole, without a depth of field.";
 constexpr std::string_view no_curve = "pt_tonemap chooses a curve without parameters.";
-constexpr std::string_view no_histogram = "Exposure follows the picture's geometric mean.";
+constexpr std::string_view no_histogram = "Exposure follows the picture's mean lightness.";
 constexpr std::string_view no_blend = "The client blends nothing over the picture.";
 constexpr std::string_view no_bloom = "Light does not bleed over its edges.";
 constexpr std::string_view no_fog = "There is no fog for light to be seen in.";

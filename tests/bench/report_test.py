@@ -436,9 +436,16 @@ class Kept(unittest.TestCase):
         self.assertEqual([(part["part"], part["rows"][0]["fps"], part["rows"][0]["share"]["filter"]) for part in joined["parts"]],
                          [("fast", 9.0, 0.5), ("balanced", 6.0, 0.5)])
 
+    def test_reads_how_long_the_suite_took(self):
+        part, = kept.tested("== Done (both), commit abc\n   packages and program 6 s, unit tests 30 s\n1 passed\n", "cold")["parts"]
+        self.assertEqual((part["part"], part["rows"][0]["label"]), ("abc", "cold"))
+        self.assertEqual(part["rows"][0]["seconds"], {"packages and program": 6, "unit tests": 30, "all": 36})
+
     def test_refuses_what_is_not_finished(self):
         with self.assertRaises(ValueError):
             kept.join(None, self.measured("w", 1.0, finished=False))
+        with self.assertRaises(ValueError):
+            kept.tested("== Building build/vigil\n", "cold")
 
 
 if __name__ == "__main__":

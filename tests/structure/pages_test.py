@@ -21,6 +21,7 @@ import quoted_numbers as quoted
 import sentences_test
 
 TABLE = "<!--table t-->\n| level | `vlc`, time | range |\n|---|---|---|\n| `a` | **0.30** | 1.5 [1.2, 2.5] |\n"
+OF_TABLE = "docs/t.md 0.30 1.5 1.2 2.5 # the table above\n"
 LONG = "word " * (sentences_test.LIMIT + 1)
 
 
@@ -43,9 +44,10 @@ class Pages(unittest.TestCase):
             status = function(*arguments)
         return status, said.getvalue()
 
-    def numbers(self, text, *options):
+    def numbers(self, text, *options, exceptions=""):
         self.write("README.md", text)
         self.write("docs/t.md", TABLE)
+        self.write("tests/structure/numbers_exceptions", OF_TABLE + exceptions)
         return self.run_quietly(quoted.main, [*options, str(self.root)])
 
     def links(self):
@@ -93,6 +95,17 @@ class Numbers(Pages):
         self.assertEqual(self.numbers("It is 0.5 times as fast.", "--check")[0], 1)
         self.assertEqual(self.numbers("It takes 5% of `0.5`, in Vulkan 1.2.", "--check")[0], 1)
         self.assertEqual(self.numbers("Vulkan 1.2, `0.5`\n\n    0.5\n", "--check")[0], 0)
+        self.assertEqual(self.numbers("| 1 | 2 |\n|---|---|\n| 3 | `4` |\n", "--check")[0], 0)
+        self.assertEqual(self.numbers("| 1 | 2 |\n|---|---|\n| 3 | 4 |\n", "--check")[0], 1)
+
+    def test_notices_them_on_every_page(self):
+        self.write("docs/learn/a.md", "0.5\n")
+        self.assertIn("docs/learn/a.md: 0.5 has no source", self.numbers("none", "--check")[1])
+
+    def test_exceptions_must_be_needed_and_have_reasons(self):
+        for line, status in (("README.md 0.5 # a constant", 0), ("README.md 0.5", 1), ("README.md 0.5 0.6 # a constant", 1),
+                             ("docs/u.md 0.5 # a constant", 1), ("# nothing", 1)):
+            self.assertEqual(self.numbers("It is 0.5.", "--check", exceptions=line + "\n")[0], status, line)
 
 
 class Links(Pages):

@@ -17,8 +17,8 @@ namespace vigil::test {
 namespace {
 
 struct Plan {
-    int brute_paths = 96; // paths per pixel and batch
-    int paths = 32;       // the same of the others
+    int brute_paths = 24; // paths per pixel and batch
+    int paths = 8;        // the same of the others
     /// Against brute force, whose noise is the larger part.
     Bounds bounds{.everywhere = 0.015, .quadrant = 0.08, .five_blocks = 0.35, .blocks = 41};
     /// Against the first technique: a bias of one technique alone. Of five blocks the larger one of
@@ -26,11 +26,14 @@ struct Plan {
     Bounds between{.everywhere = 0.01, .blocks = 41};
 };
 /// Where most of the light and of the noise is the sky's, which all techniques find by chance.
-const Plan under_the_sky{96,
-                         96,
+const Plan under_the_sky{24,
+                         24,
                          {.everywhere = 0.03, .quadrant = 0.12, .five_blocks = 0.35, .blocks = 41},
                          {.everywhere = 0.02, .quadrant = 0.08, .five_blocks = 0.25, .blocks = 41}};
-constexpr int brute_batches = 32, sampled_batches = 16, block = 4;
+// A frame of many pixels and few paths takes less time than one of few and many: each dispatch has
+// a cost of its own.
+constexpr int width = 96, height = 64;
+constexpr int brute_batches = 32, sampled_batches = 16, block = 8;
 
 /// VIGIL_TEST_PATHS=10 traces ten times as many paths, to look for smaller biases by hand.
 int path_factor() {
@@ -40,6 +43,11 @@ int path_factor() {
 
 class Convergence : public RenderTest {
 protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        set_size(width, height);
+    }
+
     /// All techniques, with rays drawn as pt_guide `guide` says, against brute force on one
     /// picture, whose rays are drawn by the BRDF alone.
     void expect_equal_means(const Shot& shot, const Plan& plan, const char* guide = "brdf",
@@ -103,7 +111,7 @@ TEST_F(Convergence, DoorWithALampMoved) {
 TEST_F(Convergence, GuidedRays) {
     load("rooms");
     set("pt_bounces", "2"); // guided at each hit
-    expect_equal_means(view_at({290, 20, 96}, 5, 55), {.paths = 48}, "cdq");
+    expect_equal_means(view_at({290, 20, 96}, 5, 55), {.paths = 12}, "cdq");
 }
 
 TEST_F(Convergence, GuidedRaysToTheSky) {
@@ -147,7 +155,7 @@ Shot restless_shot(int number) {
 
 TEST_F(Convergence, LightsThatChangeEveryFrame) {
     load("rooms");
-    constexpr int frames = 6, sequences = 8;
+    constexpr int frames = 6, sequences = 2;
     const refresh::ModelHandle model = renderer().register_model("*1");
     const auto shot_of = [&](int number) {
         Shot shot = restless_shot(number);
@@ -247,11 +255,10 @@ TEST_F(TurningSun, GuidedRaysOfAllTechniques) {
     PictureBatches brute(cvars()->vid_width, cvars()->vid_height, block);
     for (int batch = 0; batch < brute_batches; ++batch)
         brute.add(
-            mean_picture(shot, 1000 + batch, 16u * static_cast<uint32_t>(path_factor()), false));
+            mean_picture(shot, 1000 + batch, 4u * static_cast<uint32_t>(path_factor()), false));
 
     // Every frame has one path per pixel, whose rays the next frame's quadtrees are made of.
-    // More of them would not hurt but for the validation layer, whose memory grows with frames.
-    const int sequences = 3 * path_factor();
+    const int sequences = path_factor();
     set("pt_guide", "cdq");
     for (const TechniqueInfo& info : technique_infos) {
         SCOPED_TRACE(info.name);
@@ -291,7 +298,7 @@ TEST_F(Convergence, LampOverAFloor) {
     load("lamp");
     expect_equal_means(
         view_at({-192, 0, 64}, 30, 0),
-        {192, 32, {.everywhere = 0.02, .quadrant = 0.1, .five_blocks = 0.4, .blocks = 41}});
+        {48, 8, {.everywhere = 0.02, .quadrant = 0.1, .five_blocks = 0.4, .blocks = 41}});
 }
 
 TEST_F(Convergence, SkyAndSunWithALight) {
@@ -348,8 +355,8 @@ protected:
         });
         set("pt_sun_size", "40");
         const Shot shot = view_at({-192, -64, 56}, 0, 20);
-        const Plan plan{96,
-                        48,
+        const Plan plan{24,
+                        12,
                         {.everywhere = 0.03, .quadrant = 0.2, .five_blocks = 0.6, .blocks = 41},
                         {.everywhere = 0.03, .quadrant = 0.2, .five_blocks = 0.6, .blocks = 41}};
         expect_equal_means(shot, plan, guide, true);

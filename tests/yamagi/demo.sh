@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Yamagi Quake II records a demo on one of our levels; then the engine with the module and build/vigil play it.
 #   demo.sh pictures [BUILD]   their raw pictures of the same frames have the same means, for every pt_nee
-#   demo.sh times [BUILD]      16 guards and rockets: times of passes, in turns, as a table
+#   demo.sh times [BUILD]      16 guards and rockets: times of passes, in turns, as a table and as times.json
 # SEEDS, ROUNDS, TECHNIQUES and DEMO (a file, in place of what is recorded) change what is done. PARTICLES=1 times the engine with
 # the game's particles, which vigil does not have. See engine.sh for more.
 set -euo pipefail
@@ -134,7 +134,7 @@ use rocket launcher" "$(waits 20; for _ in 1 2; do echo +attack; waits 10; print
   python3 - "$scratch" "$techniques" <<'PYTHON'
 import json, sys
 from pathlib import Path
-folder, bad = Path(sys.argv[1]), 0
+folder, bad, parts = Path(sys.argv[1]), 0, []
 for technique in sys.argv[2].split():
     medians: dict[str, dict[str, list[float]]] = {}
     for program in ("engine", "vigil"):
@@ -146,14 +146,18 @@ for technique in sys.argv[2].split():
     # The machine's other work only adds to a run: the least of them is what the program takes.
     print(f"{technique}: median ms of a frame, least of {len(next(iter(medians.values()))['engine'])} runs\n"
           f"{'pass':<24} {'engine':>8} {'vigil':>8}  ratio")
+    kept = []
     for name, rows in medians.items():
         if len(rows) < 2:
             print(f"{name:<24} {min(next(iter(rows.values()))):8.3f} of {next(iter(rows))} alone")
             continue
         engine, own = min(rows["engine"]), min(rows["vigil"])
         print(f"{name:<24} {engine:8.3f} {own:8.3f}  {engine / own:.3f}")
+        kept.append({"label": name, "engine_ms": engine, "vigil_ms": own, "ratio": engine / own})
         if name in ("preparation", "path tracing") and not 0.9 < engine / own < 1.1:
             bad += 1
+    parts.append({"part": technique, "rows": kept})
+(folder / "times.json").write_text(json.dumps({"parts": parts}))
 sys.exit(1 if bad else 0)
 PYTHON
 }

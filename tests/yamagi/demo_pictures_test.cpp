@@ -90,6 +90,12 @@ std::vector<bool> frames_with_effects(const std::filesystem::path& path) {
     return found;
 }
 
+/// For tools/report/kept.py.
+void record(const std::string& row, const char* field, double value) {
+    testing::Test::RecordProperty(fmt::format("measured/{}/{}", row, field),
+                                  fmt::format("{}", value));
+}
+
 TEST(DemoPictures, OfEngineAndProgramAgree) {
     const char* const folder = std::getenv("VIGIL_DEMO_PICTURES");
     if (folder == nullptr) GTEST_SKIP() << "demo.sh has an engine play a demo, and calls this";
@@ -138,7 +144,10 @@ TEST(DemoPictures, OfEngineAndProgramAgree) {
         std::cout << fmt::format(
             "{}: {} comparisons, mean bias {:.3f}%, root mean square {:.3f}%\n", technique,
             values.size(), 100.0 * sum / count, 100.0 * std::sqrt(squares / count));
+        record(technique, "bias", sum / count);
     }
+    record("all", "comparisons", static_cast<double>(judged));
+    record("all", "unequal", static_cast<double>(unequal));
     std::cout << fmt::format("{} of {} comparisons without shots differ\n", unequal, judged);
     EXPECT_GE(judged, 3);
 }

@@ -262,11 +262,12 @@ def conclusion_of_all(parts):
 
 
 def main(arguments):
-    target = None
-    if "--json" in arguments[:-1]:
-        place = arguments.index("--json")
-        target = Path(arguments[place + 1])
-        del arguments[place : place + 2]
+    given = {}
+    for option in ("--json", "--check"):
+        if option in arguments[:-1]:
+            place = arguments.index(option)
+            given[option] = Path(arguments[place + 1])
+            del arguments[place : place + 2]
     if not arguments:
         sys.exit(__doc__)
     try:
@@ -274,9 +275,12 @@ def main(arguments):
     except (OSError, ValueError) as fault:
         sys.exit(str(fault))
     report = slim(report)
-    if target:
-        target.write_text(json.dumps(report, separators=(",", ":")) + "\n")
-    print("\n".join(page(report)))
+    if "--json" in given:
+        given["--json"].write_text(json.dumps(report, separators=(",", ":")) + "\n")
+    text = "\n".join(page(report)) + "\n"
+    if "--check" in given:
+        sys.exit(0 if given["--check"].read_text() == text else f"{given['--check']}: is not the page of {' and '.join(arguments)}")
+    sys.stdout.write(text)
 
 
 if __name__ == "__main__":

@@ -9,9 +9,11 @@ A part takes the place of one of the same name. tools/docs/quoted_numbers.py quo
 A report is one of `./run bench` or `./run crosscheck --json`, or of these:
 
 - What a test program writes with --gtest_output=json:REPORT.json. Each test is a part: its properties measured/ROW/FIELD are what it measured.
-- timedemo_json. The name of the file is the part, the demo its row, with the share of each pass in the frame."""
+- timedemo_json. The name of the file is the part, the demo its row, with the share of each pass in the frame.
+- What `./run test` printed, NAME.log. The part is its commit, NAME its row, with the seconds of each stage."""
 
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -59,6 +61,20 @@ def flown(report, name):
     return {"part": name, "rows": [row]}
 
 
+def tested(text, name):
+    """A report of the seconds that the stages of `./run test` took."""
+    commit = re.search(r"^== Done .* commit (\w+)", text, re.M)
+    laps = re.search(r"^ +(packages and program \d+ s, .*)$", text, re.M)
+    if commit is None or laps is None:
+        raise ValueError("not all that `./run test` prints")
+    seconds = {stage: int(took) for stage, took in re.findall(r"([^,]+?) (\d+) s(?:, |$)", laps[1])}
+    return {"parts": [{"part": commit[1], "rows": [{"label": name, "seconds": seconds | {"all": sum(seconds.values())}}]}]}
+
+
+def read(path):
+    return tested(path.read_text(), path.stem) if path.suffix == ".log" else json.loads(path.read_text())
+
+
 def parts_of(report, name):
     if "levels" in report:
         return traced(report["levels"])
@@ -86,7 +102,7 @@ def main(name, paths):
     joined = json.loads(path.read_text()) if path.exists() else None
     for source in paths:
         try:
-            joined = join(joined, json.loads(Path(source).read_text()), Path(source).stem)
+            joined = join(joined, read(Path(source)), Path(source).stem)
         except (OSError, ValueError, KeyError) as fault:
             sys.exit(f"{source}: {fault}")
     FOLDER.mkdir(exist_ok=True)

@@ -131,7 +131,7 @@ test_all() {
     read -r p f s <<<"$(count_results "$stage")"
     passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
   done
-  step "Done (build/ and build-asan/ together)"
+  step "Done (build/ and build-asan/ together), commit $(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
   note "$laps"
   if [ "$skipped" -gt 0 ]; then
     note "skipped, and why:"
