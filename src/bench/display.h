@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a screen shows of radiance, as the renderer's pass tonemap does it (filmic), with an exposure
-// that all pictures of a view share. Before sRGB's curve, which FLIP undoes.
+// What a screen shows of radiance, as the renderer's pass tonemap does it (filmic), with an
+// exposure that all pictures of a view share. Before sRGB's curve, which FLIP undoes.
 #pragma once
 
 #include <glm/vec2.hpp>
